@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Dependencies go one way: the core knows no VTK, filters and readers or writers do not know each other, and a room of
-# the core includes only itself and those before it, so that there is no cycle. No two of its types have one name.
+# the core includes only itself and those before it, so that there is no cycle. No two types of a namespace have one name.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -59,10 +59,12 @@ if [ -n "$unknown" ]; then
   status=1
 fi
 
-# All headers of the core share one namespace: two types of one name are undefined behavior, which no compiler tells.
-twice=$(grep -rhoE --include='*.h' '^(struct|class) [A-Za-z]+( final)?( :.*)?$' Filters/Core | awk '{ print $2 }' | sort | uniq -d)
+# Two types of one name in a namespace are undefined behavior, which no compiler reports.
+twice=$(find Filters IO -name '*.h' -exec awk '
+  /^namespace [a-z]/ { namespace = $2 }
+  /^(struct|class) [A-Za-z]+( final)?( :.*)?$/ { print namespace "::" $2 }' {} + | sort | uniq -d)
 if [ -n "$twice" ]; then
-  printf 'Types that two headers of the core define:\n%s\n' "$twice" >&2
+  printf 'Types that two headers define:\n%s\n' "$twice" >&2
   status=1
 fi
 exit "$status"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// atria case: a case of OpenFOAM that runs, of a mesh.
+/// atria case: makes an OpenFOAM case that runs from a mesh.
 #include "Commands.h"
 #include "ConfigFile.h"
 #include "Console.h"
@@ -33,7 +33,7 @@ using Words = std::vector<std::string>;
 const Words turbulenceModels{"k-epsilon", "realizable", "k-omega-sst"};
 const Words dialects{"opencfd-1912", "opencfd-2006", "foundation-11", "foundation-14"};
 const Words kinds{"automatic", "wind", "room"};
-/// What one kind takes and the other does not.
+/// Options of one kind of case that the other does not take.
 const Words windOptions{"--speed", "--height", "--roughness", "--north"};
 const Words roomOptions{"--inlet-speed", "--inlet-flow"};
 
@@ -247,7 +247,7 @@ bool writeCase(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, Conso
   return writer->Write() != 0;
 }
 
-/// Options that the case has no use for are no mistake in a file for --config, but worth a word.
+/// Warns of options that the case has no use for; a file for --config may hold them.
 void warnOfUnused(vtkAtriaOpenFOAMCaseWriter* writer, const CLI::App& command, Console& console)
 {
   const bool isRoom = writer->GetWrittenKind() == vtkAtriaOpenFOAMCaseWriter::Room;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The subcommands. Each declares its options on the application and, when it is the one asked for, runs.
+/// The subcommands. Each declares its options on the application, and runs if it is the one requested.
 #pragma once
 
 #include <stdexcept>
@@ -14,7 +14,7 @@ namespace atria::tool {
 class Console;
 class Workers;
 
-/// What the program's exit status means. 1 is left to failures that are nobody's input, such as a full disk.
+/// Meanings of the program's exit status. 1 is left to failures that no input causes, such as a full disk.
 enum ExitStatus : int
 {
   Done = 0,
@@ -22,12 +22,12 @@ enum ExitStatus : int
   Usage = 2,
   BadInput = 3,
   MeshNotValid = 4,
-  ChecksFailed = 5, ///< the mesh is valid, but what is written fails checks of checkMesh
-  // 6: the page of a case is written, but its runs are not to be believed; see atria.report
-  Interrupted = 130 ///< by Ctrl-C; what shells say too
+  ChecksFailed = 5, ///< the mesh is valid, but the written one fails checks of checkMesh
+  // 6: the page of a case is written, but its runs are not credible; see atria.report
+  Interrupted = 130 ///< Ctrl-C was pressed; shells report the same
 };
 
-/// Ends the program with a status and a message for people.
+/// Ends the program with a status and a message for the user.
 class Failure : public std::runtime_error
 {
 public:
@@ -35,20 +35,20 @@ public:
   ExitStatus status;
 };
 
-/// The status of a mesh that is written.
+/// Returns the status for a written mesh.
 inline ExitStatus statusOf(long long invalidElements, bool checksFail)
 {
   return invalidElements > 0 ? MeshNotValid : checksFail ? ChecksFailed : Done;
 }
 
-/// A subcommand stores its result in `status` from CLI11's callback.
+/// Add a subcommand, which stores its result in `status` from CLI11's callback.
 void addMeshCommand(CLI::App& app, Console& console, const Workers& workers, ExitStatus& status);
 void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addQualityCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addImproveCommand(CLI::App& app, Console& console, const Workers& workers, ExitStatus& status);
 void addConvertCommand(CLI::App& app, Console& console, const Workers& workers, ExitStatus& status);
 void addCaseCommand(CLI::App& app, Console& console, ExitStatus& status);
-/// Goes on as another program, whose exit status is the result.
+/// Adds the subcommand that continues as another program; that program's exit status is the result.
 void addReportCommand(CLI::App& app);
 
 } // namespace atria::tool

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ConfigFile.h"
 
+#include "Numbers.h"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -13,12 +15,11 @@ namespace {
 std::string quoted(const std::string& value)
 {
   double number = 0.0;
-  return value == "true" || value == "false" || CLI::detail::lexical_cast(value, number)
-             ? value
-             : CLI::detail::convert_arg_for_ini(value);
+  return value == "true" || value == "false" || readNumber(value, number) ? value
+                                                                          : CLI::detail::convert_arg_for_ini(value);
 }
 
-/// As TOML has them: a list where there are several.
+/// Returns the values in TOML: a list if there are several.
 std::string valueOf(const CLI::Option& option)
 {
   const std::vector<std::string> values = option.reduced_results();

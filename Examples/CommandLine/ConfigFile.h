@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Writes the options of a subcommand as a config file.
 #pragma once
 
 #include <string>
@@ -9,8 +10,8 @@ class App;
 
 namespace atria::tool {
 
-/// The options of a subcommand as a file for --config: what was given as it was, the others as comments with their
-/// defaults, all with what they mean.
+/// Returns the options of a subcommand as a file for --config: given ones as they were given, the others as comments
+/// with their defaults, all with their descriptions.
 std::string configFileOf(const CLI::App& command);
 
 } // namespace atria::tool

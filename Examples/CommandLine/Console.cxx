@@ -45,7 +45,7 @@ bool isPipelineEcho(const std::string& text) { return text.rfind("Algorithm vtk"
 
 volatile std::sig_atomic_t interrupted = 0;
 
-/// The second ends the program.
+/// Ends the program at the second signal.
 extern "C" void noteInterrupt(int signal)
 {
   interrupted = 1;
@@ -106,7 +106,7 @@ Console::Console()
     : window(vtkSmartPointer<Window>::New()), previous(vtkOutputWindow::GetInstance()), terminal(errorsGoToTerminal())
 {
   window->console = this;
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // VTK also logs what it tells the window
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // VTK also logs what it writes to the window
   vtkOutputWindow::SetInstance(window);
   catchInterrupts(SIGINT);
 }

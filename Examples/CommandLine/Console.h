@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What people see on standard error: messages of VTK in plain words, and a progress bar on a terminal.
+/// Output to the user on standard error: messages of VTK in plain words, and a progress bar on a terminal.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -24,23 +24,22 @@ public:
   void warning(const std::string& text);
   void note(const std::string& text);
 
-  /// Shows the progress of `algorithm` as the part [first, last] of the whole, and stops it at Ctrl-C: filters of ours
-  /// by their abort flag, so that the caller must ask wasInterrupted() after them; VTK's by throwing Failure, as not
-  /// all of them look at theirs. `phase` is for those that have no text of their own.
+  /// Shows the progress of `algorithm` as the part [first, last] of the whole, and stops it at Ctrl-C. Atria's filters
+  /// are stopped by their abort flag, so that the caller must check wasInterrupted() after them. VTK's are stopped by
+  /// throwing Failure, as not all of them check their flag. `phase` is for filters without a text of their own.
   void follow(vtkAlgorithm* algorithm, double first, double last, const std::string& phase = {});
-  /// Takes SIGTERM for Ctrl-C, too: it is what mpiexec sends where that was pressed, or where another rank has ended.
+  /// Treats SIGTERM like Ctrl-C: mpiexec sends it after Ctrl-C, or when another rank has ended.
   static void catchTermination();
-  /// Whether Ctrl-C was pressed. The second time it ends the program at once.
+  /// True if Ctrl-C was pressed. The second time it ends the program at once.
   static bool wasInterrupted();
-  /// Throws Failure if so.
+  /// Throws Failure if Ctrl-C was pressed.
   static void throwIfInterrupted();
   /// Moves the bar without an algorithm.
   void progress(double fraction, const std::string& phase);
   /// Removes the bar, so that text can follow.
   void clearBar();
 
-  /// VTK's errors since the last call, freed from addresses and source lines. Warnings are printed as they
-  /// come.
+  /// Returns VTK's errors since the last call, without addresses and source lines. Warnings are printed at once.
   std::vector<std::string> takeErrors();
   bool hasErrors() const;
 
@@ -49,7 +48,7 @@ private:
   vtkSmartPointer<Window> window;
   vtkSmartPointer<vtkOutputWindow> previous;
   bool terminal = false;
-  double furthest = 0.0; ///< what follows does not fall behind it
+  double furthest = 0.0; ///< the bar never moves back behind it
   std::string shown;
 };
 

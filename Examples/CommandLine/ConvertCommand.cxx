@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// atria convert: a mesh on file in formats of solvers.
+/// atria convert: writes a mesh on file in formats of solvers.
 #include "Commands.h"
 #include "Console.h"
 #include "ExportOptions.h"

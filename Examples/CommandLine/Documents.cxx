@@ -25,7 +25,7 @@ std::vector<std::string> namesOf(const CLI::Option& option)
   return names;
 }
 
-/// Of a type such as axes|walls|domain; none of others.
+/// Returns the values of a type such as axes|walls|domain; none for other types.
 std::vector<std::string> valuesOf(const CLI::Option& option)
 {
   const std::string type = option.get_type_name();
@@ -46,7 +46,7 @@ std::string joined(const std::vector<std::string>& words, const char* between)
   return text;
 }
 
-/// All names of all options of a command.
+/// Returns all names of all options of a command.
 std::string optionWords(const CLI::App& command)
 {
   std::vector<std::string> words;
@@ -89,7 +89,7 @@ std::string bashScript(const CLI::App& app)
   return out.str();
 }
 
-/// In single quotes.
+/// Returns a text in single quotes.
 std::string fishText(const std::string& text)
 {
   std::string out = "'";
@@ -131,7 +131,7 @@ std::string fishScript(const CLI::App& app)
   return out.str();
 }
 
-/// Text of troff: backslashes, hyphens that are minus signs, and lines that begin like requests.
+/// Returns text for troff: escapes backslashes, hyphens that are minus signs, and lines that begin like requests.
 std::string troff(const std::string& text)
 {
   std::string out;

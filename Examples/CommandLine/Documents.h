@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What is made from the options as they are declared: completion for shells, and the manual page.
+/// Makes completion scripts for shells and the manual page from the declared options.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@ class App;
 
 namespace atria::tool {
 
-/// A script that completes subcommands, options and their values; `shell` is bash, zsh or fish.
+/// Returns a script that completes subcommands, options and their values; `shell` is bash, zsh or fish.
 std::string completionFor(const CLI::App& app, const std::string& shell);
 
-/// The manual page, as troff.
+/// Returns the manual page, as troff.
 std::string manualOf(const CLI::App& app);
 
 } // namespace atria::tool

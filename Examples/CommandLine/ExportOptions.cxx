@@ -112,14 +112,14 @@ void writeFile(const ExportOptions& options, const std::string& file, vtkUnstruc
   }
 }
 
-/// What workers need to know of a case.
+/// Returns the data that workers need for a case.
 Json caseTask(const ExportOptions& options, bool hasPatches, bool isDivided)
 {
   return {{"case", options.openfoam},         {"binary", !options.ascii}, {"offset", options.restoreOffset},
           {"whole", !options.processorsOnly}, {"patches", hasPatches},    {"divided", isDivided}};
 }
 
-/// The part of a rank, of what it has or of what the first one has.
+/// Returns a rank's part: its own piece, or a part of the first rank's mesh.
 MeshPiece partOf(const Json& task, const MeshPiece& held, vtkMultiProcessController& controller)
 {
   const bool staysWhole = task["whole"].get<bool>();
@@ -155,7 +155,7 @@ void writeCaseWithOthers(const Json& task, const MeshPiece& own, vtkMultiProcess
   configure(writer, task, &controller);
   writer->SetInputDataObject(0, part.mesh);
   writer->SetInputDataObject(1, part.patches);
-  writer->Write(); // the first rank tells what was wrong
+  writer->Write(); // the first rank reports errors
 }
 
 Json writeExports(const ExportOptions& options, const MeshPiece& own, bool isDivided, Console& console,

@@ -101,7 +101,7 @@ void printNotes(vtkAtriaSurfaceReader* reader, const std::string& file, Console&
   }
 }
 
-/// A folder beside a file, in which that is written with what belongs to it. It is removed whatever happens.
+/// A folder beside a file, in which the file and those that belong to it are written. The destructor removes it.
 class Unfinished
 {
 public:
@@ -109,7 +109,7 @@ public:
       : target(file), folder(target.parent_path() / ('.' + target.filename().string() + ".unfinished"))
   {
     std::error_code error;
-    fs::remove_all(folder, error); // of a process that was killed
+    fs::remove_all(folder, error); // left by a process that was killed
     fs::create_directory(folder, error);
     if (error)
     {
@@ -154,7 +154,8 @@ private:
   fs::path folder;
 };
 
-/// What keeps a file of up to so many bytes from being written in a folder; empty if nothing. VTK's writers do not say.
+/// Returns the reason why a file of up to so many bytes cannot be written in a folder; empty if there is none. VTK's
+/// writers do not report it.
 std::string hindrance(const fs::path& folder, double bytes)
 {
   std::ostringstream text;
@@ -175,7 +176,7 @@ std::string hindrance(const fs::path& folder, double bytes)
 
 double bytesOf(vtkDataObject* data) { return 1024.0 * static_cast<double>(data->GetActualMemorySize()); }
 
-/// Appended and compressed. VTK's writers share these methods, but not all of them a base.
+/// Sets appended and compressed data. VTK's writers share these methods, but not all of them a base.
 template <typename Writer> void prepare(Writer* writer, const std::string& file, vtkDataObject* data)
 {
   writer->SetFileName(file.c_str());
@@ -185,7 +186,7 @@ template <typename Writer> void prepare(Writer* writer, const std::string& file,
   writer->SetCompressorTypeToLZ4(); // ten times as fast as zlib, for files twice as large
 }
 
-/// A VTK XML file.
+/// Writes a VTK XML file.
 template <typename Writer>
 void writeCompressed(Writer* writer, const std::string& file, vtkDataObject* data, Console& console)
 {
@@ -193,12 +194,12 @@ void writeCompressed(Writer* writer, const std::string& file, vtkDataObject* dat
   prepare(writer, unfinished.file(), data);
   console.follow(writer, 0.9, 1.0, "Writing");
   const bool written = writer->Write() != 0;
-  // What is not compressed is the most that the file would have.
+  // The uncompressed size is an upper bound for the file's.
   const std::string reason =
       written && !console.hasErrors() ? "" : hindrance(fs::path(unfinished.file()).parent_path(), bytesOf(data));
   if (!reason.empty())
   {
-    console.takeErrors(); // which do not give it
+    console.takeErrors(); // they do not give the reason
     throw Failure(Failed, file + " could not be written: " + reason);
   }
   throwIfErrors(console, Failed, file);
@@ -219,7 +220,7 @@ void throwIfErrors(Console& console, ExitStatus status, const std::string& about
   {
     return;
   }
-  // An error that already names its file is not prefixed with it again.
+  // An error that already names its file gets no prefix.
   std::string text = errors.front().find(about) == std::string::npos ? about + ": " : "";
   for (std::size_t i = 0; i < errors.size(); ++i)
   {
@@ -230,7 +231,7 @@ void throwIfErrors(Console& console, ExitStatus status, const std::string& about
 
 namespace {
 
-/// A file that ends so is read as VRML even if it has no header.
+/// True for endings that are read as VRML even without a header.
 bool endsLikeVrml(const std::string& file)
 {
   std::string name = fs::path(file).filename().string();
@@ -281,7 +282,7 @@ vtkSmartPointer<vtkAtriaSurfaceReader> readModel(const std::string& file, const 
 {
   checkReadable(file);
   vtkSmartPointer<vtkAtriaSurfaceReader> reader = readerFor(file);
-  // An observer keeps the reader's one summarizing warning away from the console: printWarnings tells more.
+  // An observer keeps the reader's one summarizing warning away from the console: printWarnings prints more.
   vtkNew<vtkCallbackCommand> silence;
   reader->AddObserver(vtkCommand::WarningEvent, silence);
   reader->SetFileName(file.c_str());
@@ -301,8 +302,8 @@ vtkSmartPointer<vtkAtriaSurfaceReader> readModel(const std::string& file, const 
 
 namespace {
 
-/// As it was before it was divided. Pieces are read one by one: at once, VTK 9.1 takes the faces of polyhedra for those
-/// of other elements where some pieces have none.
+/// Reads a mesh as it was before it was divided. Pieces are read one by one. If they are read at once and some have no
+/// polyhedra, VTK 9.1 gives the faces of polyhedra to other elements.
 vtkSmartPointer<vtkUnstructuredGrid> readPieces(const std::string& file, Console& console)
 {
   vtkNew<vtkXMLPUnstructuredGridReader> reader;
@@ -404,7 +405,7 @@ MeshPiece ownPart(const MeshPiece& whole, vtkMultiProcessController& controller)
 
 namespace {
 
-/// Writes what is this rank's, on all ranks. Whether all could.
+/// Writes this rank's piece; all ranks call it at the same time. Returns true if all ranks succeeded.
 bool writeOwnPieces(const Json& task, const MeshPiece& held, vtkMultiProcessController& controller)
 {
   const int rank = controller.GetLocalProcessId();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Reading and writing files, with errors that name the file and say what to do.
+/// Reads and writes files, with errors that name the file and a remedy.
 #pragma once
 
 #include "Commands.h"
@@ -22,48 +22,48 @@ namespace atria::tool {
 class Console;
 class Workers;
 
-/// What the model of a command may be, for its help.
+/// Formats of models, for the help of commands.
 inline constexpr const char* modelFormats =
     "VRML (.wrl, .vrml, .wrz, .wrl.gz), OBJ, STL, PLY, glTF (.gltf, .glb), COLLADA (.dae), IFC, DXF, FBX, 3DS, "
     "CityJSON (.json, .jsonl) or VTK's .vtp, .vtm, .vtpc";
 
-/// A reader that has read `file`, whose format follows from its ending, or if that is none of them from a header of
-/// VRML. Its warnings and notes have been printed. Throws Failure(BadInput).
+/// Returns a reader that has read `file`. The format follows from the file's ending, or for an unknown ending from a
+/// header of VRML. Warnings and notes have been printed. Throws Failure(BadInput).
 vtkSmartPointer<vtkAtriaSurfaceReader> readModel(const std::string& file, const ModelOptions& options,
                                                  Console& console);
-/// Of a .vtu file, or the whole of a .pvtu file's pieces.
+/// Reads a .vtu file, or all pieces of a .pvtu file as one mesh.
 vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& console);
-/// What writePatches() wrote.
+/// Reads a file of writePatches().
 vtkSmartPointer<vtkPartitionedDataSetCollection> readPatches(const std::string& file, Console& console);
 
-/// Appended binary data, compressed. Throws Failure(Failed). These write beside their place, and put files there once
-/// they are complete.
+/// Write appended binary data, compressed. Files are written beside their place, and moved there once they are
+/// complete. Throw Failure(Failed).
 void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& console);
 void writePolyData(const std::string& file, vtkPolyData* data, Console& console);
 void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console);
 void writeText(const std::string& file, const std::string& text);
 
-/// What a rank has of a mesh; nothing at first.
+/// The piece of a mesh that a rank holds; empty at first.
 struct MeshPiece
 {
   vtkSmartPointer<vtkUnstructuredGrid> mesh;
   vtkSmartPointer<vtkPartitionedDataSetCollection> patches;
 };
 
-/// What is this rank's of a mesh that the first rank holds; of all ranks.
+/// Returns this rank's part of a mesh that the first rank holds. All ranks call it at the same time.
 MeshPiece ownPart(const MeshPiece& whole, vtkMultiProcessController& controller);
 
-/// A mesh (.pvtu) and, unless their file's name is empty, its patches (.vtpc) in pieces, one for each rank, that these
-/// write: what each has, or parts of what the first one has.
+/// Writes a mesh (.pvtu) and, unless their file's name is empty, its patches (.vtpc) in pieces. Each rank writes one:
+/// its own, or a part of the first rank's mesh.
 void writePieces(const std::string& meshFile, const std::string& patchesFile, const MeshPiece& own, bool isDivided,
                  Console& console, const Workers& workers);
-/// A worker's part of that.
+/// Writes a worker's part of that.
 void writePiecesWithOthers(const Json& task, const MeshPiece& own, vtkMultiProcessController& controller);
-/// Whether a file holds a mesh in pieces, by its name.
+/// True if a file holds a mesh in pieces, by its name.
 bool isInPieces(const std::string& file);
 
-/// Throws Failure(Usage) unless `file` ends in `ending`, such as ".vtu", and its folder exists.
-/// The folder itself is made where it is not there, but not the one it is to stand in.
+/// Throw Failure(Usage) unless `file` ends in `ending`, such as ".vtu", and its folder exists. A folder to write need
+/// not exist, but the one that contains it must.
 void checkFolder(const std::string& option, const std::string& folder);
 void checkOutput(const std::string& option, const std::string& file, const std::string& ending);
 

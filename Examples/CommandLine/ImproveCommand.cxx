@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// atria improve: a mesh on file with its points moved until its elements are valid and good.
+/// atria improve: moves the points of a mesh on file until its elements are valid and good.
 #include "Commands.h"
 #include "Console.h"
 #include "ExportOptions.h"
@@ -54,7 +54,7 @@ void checkOptions(const Options& options)
   }
 }
 
-/// {quality, invalid_elements}
+/// Returns {quality, invalid_elements}.
 Json measure(vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches, const std::string& about,
              Console& console)
 {
@@ -98,7 +98,7 @@ void applyOptions(vtkAtriaMeshOptimizer* optimizer, const Options& options)
   optimizer->SetNumberOfSweeps(options.sweeps);
 }
 
-/// Returns what writeOpenFOAM() does, null where no case is written.
+/// Returns the result of writeExports(), null if no case is written.
 Json writeFiles(vtkAtriaMeshOptimizer* optimizer, const Options& options, Console& console, const Workers& workers)
 {
   writeMesh(options.output, optimizer->GetOutput(), console);

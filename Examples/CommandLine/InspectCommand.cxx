@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// atria inspect: what a model holds, surface by surface, and its features.
+/// atria inspect: lists the content of a model, surface by surface, and its features.
 #include "Commands.h"
 #include "Console.h"
 #include "Files.h"
@@ -154,7 +154,7 @@ Json jsonOf(const Inspection& inspection, vtkAtriaSurfaceReader* reader)
   return report;
 }
 
-/// Digits that tell places in a model apart, however far from the origin it lies.
+/// Returns the number of digits that distinguish places in a model, however far from the origin it lies.
 int digitsOf(const Box3& box)
 {
   constexpr int near = 6;
@@ -163,7 +163,7 @@ int digitsOf(const Box3& box)
   return size > 0.0 ? std::min(near + static_cast<int>(std::log10(distance / size)), 15) : near;
 }
 
-/// A coordinate in that many digits; what is nothing beside the size of the model is zero.
+/// Returns a coordinate in that many digits. Values negligible beside the size of the model are zero.
 std::string coordinate(double value, int digits, double size)
 {
   constexpr double nothing = 1e-9;
@@ -183,7 +183,7 @@ void printLine(const SurfaceSummary& summary, const std::string& name, int width
               summary.nonManifoldEdges);
   for (int axis = 0; axis < 3 && !summary.bounds.empty(); ++axis)
   {
-    // Adding zero makes one of both zeros.
+    // Adding zero turns a negative zero into zero.
     std::printf("  %.*g..%.*g", digits, summary.bounds.min[axis] + 0.0, digits, summary.bounds.max[axis] + 0.0);
   }
   std::printf("\n");
@@ -208,7 +208,7 @@ void printTable(const Inspection& inspection)
               "together\n");
 }
 
-/// Lines, points, lights and what else makes no surface.
+/// Prints lines, points, lights and other nodes that make no surface.
 void printSkipped(vtkStringArray* nodes)
 {
   for (vtkIdType i = 0; i < nodes->GetNumberOfValues(); ++i)
@@ -218,7 +218,7 @@ void printSkipped(vtkStringArray* nodes)
   std::printf(nodes->GetNumberOfValues() > 0 ? "\n" : "");
 }
 
-/// At most `most` of a kind, those with the highest counts first.
+/// Prints at most `most` of a kind, those with the highest counts first.
 void printProblems(std::vector<Problem> problems, const TriangleSurface& surface, const Box3& bounds)
 {
   constexpr std::size_t most = 10;
@@ -295,7 +295,7 @@ std::vector<Problem> findProblems(const TriangleSurface& surface, const InspectO
   }
 }
 
-/// What of the surfaces is too fine for octants of this size at features.
+/// Returns the details of surfaces that are too fine for octants of this size at features.
 Json hiddenAt(double size, const TriangleSurface& surface, Console& console)
 {
   atria::ModelOptions model;
@@ -325,7 +325,7 @@ Json hiddenAt(double size, const TriangleSurface& surface, Console& console)
   }
 }
 
-/// The curves of the whole model: a domain some way off it cuts none.
+/// Writes the curves of the whole model: a domain some way off it cuts none.
 void writeFeatures(const std::string& file, vtkAtriaSurfaceReader* reader, Console& console)
 {
   vtkNew<vtkAtriaFeatureGraph> features;
@@ -344,7 +344,7 @@ void writeFeatures(const std::string& file, vtkAtriaSurfaceReader* reader, Conso
   writePolyData(file, vtkPolyData::SafeDownCast(features->GetOutputDataObject(0)), console);
 }
 
-/// What the model's openings and rooms are at sizes that suit it, or at those asked for. The mesh has them.
+/// Returns the model's openings and rooms at sizes that suit it, or at requested ones. The mesh has them.
 Json roomsAt(double size, const std::string& file, vtkAtriaSurfaceReader* reader, Console& console)
 {
   vtkNew<vtkAtriaDualMesher> mesher;

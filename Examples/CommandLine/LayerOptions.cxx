@@ -15,7 +15,7 @@ namespace atria::tool {
 
 namespace {
 
-/// Numbers with colons between them, at most `most`; none where the text is something else.
+/// Returns numbers with colons between them, at most `most`; none for any other text.
 std::vector<double> numbersFrom(const std::string& text, std::size_t most)
 {
   std::vector<double> numbers;

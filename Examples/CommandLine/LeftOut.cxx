@@ -32,7 +32,7 @@ std::string sizeText(std::size_t elements, double volume)
   return text.str();
 }
 
-/// The point as short as it can be typed: to a hundredth of an element.
+/// Returns the seed as short as it can be typed: to a hundredth of an element.
 std::string seedText(const Json& zone)
 {
   const double size = std::cbrt(zone["rough_volume"].get<double>() / zone["elements"].get<double>());
@@ -46,7 +46,7 @@ std::string seedText(const Json& zone)
   return text.str();
 }
 
-/// The first few, which have most faces.
+/// Returns the first few names, of the surfaces with most faces.
 std::string surfacesText(const Json& names)
 {
   constexpr std::size_t most = 4;
@@ -58,8 +58,7 @@ std::string surfacesText(const Json& names)
   return text + (names.size() > most ? " and others" : "");
 }
 
-/// Zones of a kind that are not in the mesh, largest first: those of at least so many cubic meters, and less than
-/// `end`.
+/// Zones of a kind that are not in the mesh, largest first, with volumes from `begin` to less than `end`, cubic meters.
 struct LeftOut
 {
   LeftOut(const Json& zones, const char* kind, double begin = 0.0, double end = std::numeric_limits<double>::infinity())
@@ -107,7 +106,7 @@ void tellRooms(const LeftOut& rooms, const std::string& model, Console& console)
   }
 }
 
-/// What is a room to people, though no element of it is away from its border.
+/// Warns of spaces as large as rooms without any element away from their borders.
 void tellLargeNarrow(const LeftOut& spaces, const std::string& model, Console& console)
 {
   if (!spaces.list.empty())
@@ -120,7 +119,7 @@ void tellLargeNarrow(const LeftOut& spaces, const std::string& model, Console& c
   }
 }
 
-/// They reach the sides like what is under terrain, but no ground says that they are.
+/// Warns of spaces that reach the sides like those under terrain, but without a ground to confirm it.
 void tellLateral(const LeftOut& spaces, const std::string& model, Console& console)
 {
   for (std::size_t i = 0; i < std::min(mostLines, spaces.list.size()); ++i)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Reports spaces and elements that are not in the mesh.
 #pragma once
 
 #include "Report.h"
@@ -11,16 +12,16 @@ namespace atria::tool {
 
 class Console;
 
-/// Tells which spaces of the model are not in the mesh, as nothing opens them: rooms as warnings with a seed for each,
-/// spaces too narrow for the sizes as warnings where they are as large as a room; insides of solids and other narrow
-/// spaces summed up as notes. `zones` is from zonesOf.
+/// Reports the spaces of the model that are not in the mesh, as nothing opens them. Rooms are warnings with a seed for
+/// each. Spaces too narrow for the sizes are warnings if they are as large as a room. Insides of solids and other
+/// narrow spaces are summed up in notes. `zones` is from zonesOf.
 void tellLeftOut(const Json& zones, const std::string& model, Console& console);
 
-/// The elements that are not in the mesh, as they could not be made valid, the largest first: place, and edge of a cube
-/// of the same volume.
+/// Returns the elements left out because they could not be made valid, the largest first: place, and edge of a cube of
+/// the same volume.
 Json leftOutElementsOf(vtkPolyData* diagnostics);
 
-/// Tells how many these are and where the largest are.
+/// Reports the number of these and the places of the largest.
 void tellLeftOutElements(const Json& elements, const std::string& mesh, Console& console);
 
 } // namespace atria::tool

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// atria mesh: reader, mesher, quality and writers in a row.
+/// atria mesh: runs reader, mesher, quality and writers.
 #include "Commands.h"
 #include "ConfigFile.h"
 #include "Console.h"
@@ -76,7 +76,7 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   return report;
 }
 
-/// Returns what writeOpenFOAM() does, null where no case is written.
+/// Returns the result of writeExports(), null if no case is written.
 Json writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
                   Console& console, const Workers& workers)
 {
@@ -96,7 +96,7 @@ Json writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPart
   return writeExports(options.exports, {mesh, patches}, isDivided, console, workers);
 }
 
-/// What layers add, which the estimate of octants does not know.
+/// Prints the number of elements that layers add, which the estimate of octants does not include.
 void printLayerEstimate(const MeshOptions& options, vtkAtriaSurfaceReader* reader, vtkIdType elements, Console& console)
 {
   vtkNew<vtkAtriaDualMesher> mesher;
@@ -106,7 +106,7 @@ void printLayerEstimate(const MeshOptions& options, vtkAtriaSurfaceReader* reade
   Console::throwIfInterrupted();
   if (added < 0)
   {
-    console.takeErrors(); // that sizes do not fit the memory has been told
+    console.takeErrors(); // the misfit of sizes and memory was already reported
     return;
   }
   std::cout << "with layers: about " << elements + added << " or more\n";
@@ -155,7 +155,7 @@ ExitStatus printEstimate(const MeshOptions& options, vtkAtriaSurfaceReader* read
   return Done;
 }
 
-/// What the mesher could not do as it was asked, or did on its own account.
+/// Warns of requests that the mesher could not fulfill, and of its own decisions.
 void warn(vtkAtriaDualMesher* mesher, const Json& report, const MeshOptions& options, Console& console)
 {
   for (const Json& warning : report["audit"]["warnings"])
@@ -166,7 +166,7 @@ void warn(vtkAtriaDualMesher* mesher, const Json& report, const MeshOptions& opt
   {
     console.note(options.input + ": " + note.get<std::string>());
   }
-  if (mesher->GetZoneRule() == vtkAtriaDualMesher::Outside) // with seeds it was chosen what is left out
+  if (mesher->GetZoneRule() == vtkAtriaDualMesher::Outside) // seeds are the user's choice of zones
   {
     tellLeftOut(report["zones"], options.input, console);
   }
@@ -201,7 +201,7 @@ void printMerged(const Json& openfoam, const std::string& folder)
   }
 }
 
-/// Whether what is written fails a check.
+/// True if the written case fails a check.
 bool checksFail(const Json& report)
 {
   return !report["openfoam"].is_null() && !failedIn(report["openfoam"]["checks"]).empty();
@@ -227,7 +227,7 @@ void makeElements(vtkAtriaDualMesher* mesher, const CLI::App& command, const Mes
   }
 }
 
-/// Returns the sums over all that was made.
+/// Returns the sums over all elements and patches made.
 Json measure(vtkAtriaMeshQuality* quality, vtkAtriaDualMesher* mesher, const MeshOptions& options, Console& console,
              const Workers& workers)
 {
@@ -244,7 +244,7 @@ Json measure(vtkAtriaMeshQuality* quality, vtkAtriaDualMesher* mesher, const Mes
                 vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)));
 }
 
-/// Mesh, quality and files of a model that was read.
+/// Makes mesh, quality and files of a model that was read.
 ExitStatus makeMesh(const MeshOptions& options, const CLI::App& command, vtkAtriaSurfaceReader* reader,
                     double readSeconds, const Stopwatch& total, Console& console, const Workers& workers)
 {
@@ -287,7 +287,7 @@ ExitStatus makeMesh(const MeshOptions& options, const CLI::App& command, vtkAtri
   return statusOf(report["invalid_elements"].get<long long>(), checksFail(report));
 }
 
-/// Completes the sizes that are not given, and tells them.
+/// Completes the sizes that are not given, and reports them.
 void completeSizes(MeshOptions& options, vtkAtriaSurfaceReader* reader, Console& console)
 {
   vtkNew<vtkAtriaOctreeSource> source;
@@ -323,7 +323,7 @@ ExitStatus runMesh(MeshOptions options, const CLI::App& command, Console& consol
     throw Failure(Usage, "MODEL is required: name the file of the model");
   }
   completeMeshOptions(options);
-  // Where zones have faces in common with walls, the mesher knows which to keep; a reader does not know zones.
+  // If zones share faces with walls, the mesher knows which to keep; a reader does not know zones.
   options.model.keepDuplicates =
       options.model.keepDuplicates || !options.faceZones.empty() || !options.cellZones.empty();
   setThreads(options.threads);

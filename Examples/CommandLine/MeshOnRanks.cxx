@@ -28,7 +28,7 @@ namespace {
 constexpr int first = 0;
 constexpr int sumsTag = 2;
 
-/// Returns how many elements all ranks have.
+/// Returns the number of elements of all ranks.
 vtkIdType make(vtkAtriaDualMesher* mesher, bool inPieces, vtkMultiProcessController& controller)
 {
   mesher->SetDistributeOutput(inPieces);
@@ -109,7 +109,7 @@ void makeWithOthers(const Json& task, MeshPiece& piece, vtkMultiProcessControlle
   make(mesher, task["pieces"].get<bool>(), controller);
   piece.mesh = vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0));
   piece.patches = vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1));
-  console.takeErrors(); // the first rank tells what was wrong
+  console.takeErrors(); // the first rank reports errors
 }
 
 void measureWithOthers(MeshPiece& piece, vtkMultiProcessController& controller)

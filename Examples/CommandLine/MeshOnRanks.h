@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Meshes that all ranks make together.
+/// Makes and measures meshes on all ranks together.
 #pragma once
 
 #include "Files.h"
@@ -20,20 +20,20 @@ namespace atria::tool {
 class Workers;
 struct MeshOptions;
 
-/// Whether all ranks make the mesh, and not the first one alone.
+/// True if all ranks make the mesh, and not the first one alone.
 bool isMadeTogether(const MeshOptions& options, const Workers& workers);
-/// Whether each of them then keeps its piece, since no file needs the whole.
+/// True if each rank then keeps its piece, since no file needs the whole.
 bool staysInPieces(const MeshOptions& options, const Workers& workers);
 
-/// Runs a mesher with all ranks, which get the options of the command; sizes may be others by now. Unless it stays in
-/// pieces, the mesh is with the first rank then. What goes wrong is among VTK's errors. Returns how many elements there
-/// are, ghosts included.
+/// Runs a mesher with all ranks, which get the options of the command; sizes may differ by now. The first rank then
+/// holds the mesh, unless it stays in pieces. Errors are reported through VTK. Returns the number of elements, ghosts
+/// included.
 vtkIdType makeTogether(vtkAtriaDualMesher* mesher, const CLI::App& command, const MeshOptions& options,
                        const Workers& workers);
-/// Measures a mesh in pieces, the first rank by `quality`. Returns the sums of all.
+/// Measures a mesh in pieces, on the first rank by `quality`. Returns the sums over all pieces.
 Json measureTogether(vtkAtriaMeshQuality* quality, const Workers& workers);
 
-/// A worker's part of that; it keeps the piece.
+/// Do a worker's part of that. The worker keeps the piece.
 void makeWithOthers(const Json& task, MeshPiece& piece, vtkMultiProcessController& controller);
 void measureWithOthers(MeshPiece& piece, vtkMultiProcessController& controller);
 

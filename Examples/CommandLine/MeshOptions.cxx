@@ -85,7 +85,7 @@ void declareDomain(CLI::App& command, MeshOptions& options)
   automatic->excludes(domain)->excludes(cylinder)->excludes(heights)->excludes(site)->excludes(bounds);
 }
 
-/// What goes with some of the domains that declareDomain() declares.
+/// Declares the options for some of the domains of declareDomain().
 void declareGround(CLI::App& command, MeshOptions& options)
 {
   vtkNew<vtkAtriaDualMesher> standard;
@@ -246,7 +246,7 @@ void declareRun(CLI::App& command, MeshOptions& options)
       ->type_name("N");
 }
 
-/// Of "x,y x,y ..."; none where there is no text.
+/// Parses "x,y x,y ..."; returns none for an empty text.
 std::vector<std::array<double, 2>> cornersIn(const std::string& text)
 {
   std::vector<std::array<double, 2>> corners;
@@ -255,9 +255,8 @@ std::vector<std::array<double, 2>> cornersIn(const std::string& text)
   {
     const std::size_t comma = word.find(',');
     std::array<double, 2> corner{};
-    const bool isCorner = comma != std::string::npos && CLI::detail::lexical_cast(word.substr(0, comma), corner[0]) &&
-                          CLI::detail::lexical_cast(word.substr(comma + 1), corner[1]) && std::isfinite(corner[0]) &&
-                          std::isfinite(corner[1]);
+    const bool isCorner = comma != std::string::npos && readNumber(word.substr(0, comma), corner[0]) &&
+                          readNumber(word.substr(comma + 1), corner[1]);
     if (!isCorner)
     {
       throw Failure(Usage, "--domain-polygon: '" + word +
@@ -268,7 +267,7 @@ std::vector<std::array<double, 2>> cornersIn(const std::string& text)
   return corners;
 }
 
-/// From the smallest to the largest.
+/// Checks sizes, given from the smallest to the largest.
 void checkSizes(const std::array<std::optional<double>, 3>& sizes)
 {
   double least = 0.0;

@@ -37,13 +37,13 @@ struct MeshOptions
   std::vector<double> domain;
   std::string site;
   std::string ground;
-  bool automatic = false; ///< the default, too
+  bool automatic = false; ///< also the default
   bool modelBounds = false;
   double domainAngle = 0.0;
   std::optional<int> domainSides;
   std::vector<double> cylinder;
   std::string polygon;
-  std::vector<std::array<double, 2>> corners; ///< of the polygon
+  std::vector<std::array<double, 2>> corners; ///< corners of `polygon`
   std::vector<double> heights;
   double wind = 0.0;
   std::string terrain;
@@ -70,16 +70,17 @@ struct MeshOptions
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options);
 
-/// Names the output after the model where it has no name. Throws Failure(Usage) for what does not go together.
+/// Names the output after the model if it has no name. Throws Failure(Usage) for options that contradict each other.
 void completeMeshOptions(MeshOptions& options);
 
-/// The part of that which a mesher needs, sizes apart.
+/// Does the part of that which a mesher needs, sizes apart.
 void completeDomain(MeshOptions& options);
 
-/// Throws Failure(Usage) where the model has no surface of that name.
+/// Throws Failure(Usage) if the model has no surface of that name.
 void checkSite(const std::string& site, vtkPolyData* model);
 
-/// Without an option the domain is the filter's default, the automatic one; sizes that are not given are 0.
+/// Sets the options of the grid. Without an option the domain is the filter's default, the automatic one; missing sizes
+/// are 0.
 void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options);
 void configure(vtkAtriaDualMesher* mesher, const MeshOptions& options);
 

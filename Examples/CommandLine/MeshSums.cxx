@@ -23,7 +23,7 @@ namespace atria::tool {
 
 namespace {
 
-/// Length of the polygon's area vector, by triangles about its first point; exact for planar faces.
+/// Returns the length of the polygon's area vector, by triangles around its first point; exact for planar faces.
 double polygonArea(vtkPoints* points, vtkIdType count, const vtkIdType* ids)
 {
   double origin[3], p[3], q[3];
@@ -42,7 +42,7 @@ double polygonArea(vtkPoints* points, vtkIdType count, const vtkIdType* ids)
   return 0.5 * std::hypot(sum[0], sum[1], sum[2]);
 }
 
-/// {zone: volume}; null without the arrays.
+/// Returns {zone: volume}; null without the arrays.
 Json zoneVolumesOf(vtkUnstructuredGrid* mesh)
 {
   vtkDataArray* ids = mesh->GetCellData()->GetArray("ZoneId");
@@ -68,7 +68,7 @@ Json zoneVolumesOf(vtkUnstructuredGrid* mesh)
   return sums;
 }
 
-/// [{name, faces, area, face_zone}]
+/// Returns [{name, faces, area, face_zone}].
 Json allPatchesOf(vtkPartitionedDataSetCollection* patches)
 {
   Json list = Json::array();

@@ -20,7 +20,8 @@ namespace {
 constexpr int first = 0;
 constexpr int taskTag = 1;
 
-/// By what Open MPI, MPICH and Intel's, and process managers say. Alone, the program need not wait for MPI to start.
+/// True if Open MPI, MPICH, Intel's MPI or a process manager has set several ranks. A single process need not wait for
+/// MPI to start.
 bool isStartedOnRanks(int argc, char** argv)
 {
   const auto isSeveral = [](const char* name) {
@@ -29,12 +30,12 @@ bool isStartedOnRanks(int argc, char** argv)
   };
   constexpr std::array sizes{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE"};
   const bool isBySlurm = std::getenv("PMIX_RANK") && isSeveral("SLURM_STEP_NUM_TASKS");
-  // `atria report` goes on as another program, which knows nothing of ranks.
+  // `atria report` continues as another program, which knows nothing of ranks.
   const auto isReport = [](const char* argument) { return std::string_view(argument) == "report"; };
   return (isBySlurm || std::ranges::any_of(sizes, isSeveral)) && std::none_of(argv + 1, argv + argc, isReport);
 }
 
-/// Has VTK's filters and writers know of the ranks while it lives.
+/// Makes the ranks known to VTK's filters and writers during its lifetime.
 class InGlobalPlace
 {
 public:
@@ -57,7 +58,7 @@ public:
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
 
-  /// A task, or with none the end and its status.
+  /// Sends others a task, or with none the end and its status.
   void tellOthers(int status, const std::string& task)
   {
     for (int rank = first + 1; rank < mpi->GetNumberOfProcesses(); ++rank)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Checks of values: numbers that refuse NaN and infinity, and say the range as people would.
+/// Checks values of options: refuses NaN and infinity, and states the range in plain words.
 #pragma once
 
 #include "Support/NamePattern.h"
@@ -16,7 +16,14 @@
 
 namespace atria::tool {
 
-/// What is wrong with a text that is no number, `range` included.
+/// Reads a finite number; false if the text is none. CLI11 2.4 and later skip what may separate thousands: 0,5 would
+/// be 5.
+inline bool readNumber(const std::string& text, double& value)
+{
+  return text.find_first_of(",'_") == text.npos && CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+}
+
+/// Returns the error message for a text that is no number, `range` included.
 inline std::string notANumber(const std::string& input, const std::string& range)
 {
   std::string text = "'" + input + "' is not a number" + (range.empty() ? "" : " " + range);
@@ -25,12 +32,12 @@ inline std::string notANumber(const std::string& input, const std::string& range
   if (std::count(input.begin(), input.end(), ',') == 1)
   {
     pointed[input.find(',')] = '.';
-    text += CLI::detail::lexical_cast(pointed, value) ? "; decimals follow a point: " + pointed : "";
+    text += readNumber(pointed, value) ? "; decimals follow a point: " + pointed : "";
   }
   return text;
 }
 
-/// Numbers in [least, most], or in (least, most] with `above`. Without `most` there is no upper limit.
+/// Accepts numbers in [least, most], or in (least, most] with `above`. Without `most` there is no upper limit.
 inline CLI::Validator numberIn(double least, double most, bool above = false)
 {
   const bool open = most >= static_cast<double>(std::numeric_limits<int>::max());
@@ -41,8 +48,8 @@ inline CLI::Validator numberIn(double least, double most, bool above = false)
   return CLI::Validator(
       [=, text = range.str()](std::string& input) {
         double value = 0.0;
-        const bool isNumber = CLI::detail::lexical_cast(input, value) && std::isfinite(value);
-        const bool fits = isNumber && (above ? value > least : value >= least) && (open || value <= most);
+        const bool fits =
+            readNumber(input, value) && (above ? value > least : value >= least) && (open || value <= most);
         return fits ? std::string() : notANumber(input, text);
       },
       shown);
@@ -56,13 +63,12 @@ inline CLI::Validator anyNumber()
   return CLI::Validator(
       [](std::string& input) {
         double value = 0.0;
-        const bool isNumber = CLI::detail::lexical_cast(input, value) && std::isfinite(value);
-        return isNumber ? std::string() : notANumber(input, "");
+        return readNumber(input, value) ? std::string() : notANumber(input, "");
       },
       "");
 }
 
-/// One of some words, which the option's type lists.
+/// Accepts one of some words, which the option's type lists.
 inline CLI::Validator oneOf(std::vector<std::string> words)
 {
   return CLI::Validator(

@@ -17,7 +17,7 @@ struct Bar
 {
   double x, y, width, height;
   Color color;
-  std::string tip; ///< what a browser shows when pointed at; empty for nothing
+  std::string tip; ///< shown by a browser under the pointer; empty for none
 };
 
 struct Line
@@ -52,17 +52,17 @@ struct Picture
   double height = 0.0;
   std::vector<std::variant<Bar, Line, Text>> shapes;
 
-  /// Adds the shapes of another picture, its corner at x, y.
+  /// Adds the shapes of another picture, with its corner at x, y.
   void add(const Picture& other, double x, double y);
 };
 
-/// An <svg> element that may stand in a page of HTML.
+/// Returns an <svg> element for a page of HTML.
 std::string toSvg(const Picture& picture);
 
-/// `text` with what HTML would take for markup replaced.
+/// Returns `text` with HTML's special characters replaced.
 std::string escaped(const std::string& text);
 
-/// Needs no display. Throws Failure(Failed) where the file cannot be written.
+/// Writes a PNG file. Needs no display. Throws Failure(Failed) if the file cannot be written.
 void writePng(const Picture& picture, const std::string& file);
 
 } // namespace atria::tool

@@ -77,7 +77,7 @@ std::string becomeProgram(std::vector<std::string> command)
   std::vector<char*> words(command.size() + 1, nullptr);
   std::ranges::transform(command, words.begin(), [](std::string& word) { return word.data(); });
 #ifdef _WIN32
-  // There, exec would end this program at once, and the shell would go on beside the other.
+  // On Windows, exec would end this program at once, and the shell would continue beside the other.
   const std::intptr_t status = _spawnvp(_P_WAIT, words[0], words.data());
   if (status >= 0)
   {

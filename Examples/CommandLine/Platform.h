@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What operating systems answer each in their own way.
+/// Functions that differ between operating systems.
 #pragma once
 
 #include <optional>
@@ -8,19 +8,19 @@
 
 namespace atria::tool {
 
-/// Whether errors and progress go to a terminal, not to a file.
+/// True if errors and progress go to a terminal, not to a file.
 bool errorsGoToTerminal();
 
-/// Bytes that a file may have at most; none where there is no such limit.
+/// Returns the largest size of a file in bytes; none if there is no limit.
 std::optional<double> largestFile();
 
-/// Of memory that this process has taken so far; 0 where the system does not tell.
+/// Returns the peak memory of this process in bytes; 0 if the system does not report it.
 long long peakMemoryBytes();
 
-/// Adds a folder in front of those of an environment variable such as PATH.
+/// Puts a folder in front of those of an environment variable such as PATH.
 void prependPath(const std::string& variable, const std::string& folder);
 
-/// Goes on as another program, whose exit status is that of this one. Returns, with a reason, only where it cannot be
+/// Continues as another program, whose exit status is that of this one. Returns, with a reason, only if it cannot be
 /// started.
 std::string becomeProgram(std::vector<std::string> command);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// atria quality: counts, metrics and validity of a mesh on file; charts of them; its worst elements.
+/// atria quality: prints counts, metrics and validity of a mesh on file; draws charts; writes its worst elements.
 #include "Commands.h"
 #include "Console.h"
 #include "Files.h"
@@ -110,8 +110,8 @@ void writeWorst(vtkAtriaMeshQuality* quality, const Options& options, Console& c
   writeMesh(options.output, worst->GetOutput(), console);
 }
 
-/// Adds what checkMesh says of the mesh as OpenFOAM's writer writes it, and of the mesh as it is. Returns how many
-/// checks fail in what is written.
+/// Adds checkMesh's results for the mesh as OpenFOAM's writer writes it, and for the mesh as it is. Returns the number
+/// of failed checks in the written mesh.
 int addChecks(vtkAtriaMeshQuality* quality, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
               const Options& options, Console& console, Json& report)
 {

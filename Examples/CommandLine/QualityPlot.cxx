@@ -76,7 +76,7 @@ std::vector<Metric> metricsOf(vtkTable* summary, vtkTable* histogram)
   return metrics;
 }
 
-/// Steps of 1, 2 or 5 times a power of ten, four to eight of them over a length.
+/// Returns steps of 1, 2 or 5 times a power of ten, four to eight of them over a length.
 double niceStep(double length)
 {
   const double rough = length / 5.0;
@@ -85,7 +85,7 @@ double niceStep(double length)
   return power * (digit < 1.5 ? 1.0 : digit < 3.5 ? 2.0 : digit < 7.5 ? 5.0 : 10.0);
 }
 
-/// Where a chart's axes lie, and how values are placed on them.
+/// Position of a chart's axes, and the mapping of values to them.
 struct Axes
 {
   double left = 58.0, right = chartWidth - 40.0, top = 46.0, bottom = chartHeight - 28.0;

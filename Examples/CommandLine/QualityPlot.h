@@ -10,7 +10,7 @@ class vtkTable;
 namespace atria::tool {
 
 /// Writes a page of HTML that needs no other file, or a PNG image, by the ending of `file`. `title` stands above all.
-/// Throws Failure(Failed) where it cannot be written.
+/// Throws Failure(Failed) if it cannot be written.
 void writeQualityPlot(const std::string& file, const std::string& title, vtkTable* summary, vtkTable* histogram);
 
 } // namespace atria::tool

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// atria report: a page of what the runs of a case say. The Python package makes it.
+/// atria report: makes a page of the results of a case's runs, with a Python package.
 #include "Commands.h"
 #include "Console.h"
 #include "Numbers.h"
@@ -33,7 +33,7 @@ constexpr const char* examples = R"(Examples:
   atria report rose --climate climate.csv --station 10 0.03
       also classes of wind comfort, of a case with many directions and a climate that was measured 10 m above grass)";
 
-/// What the interpreter runs; a package that it cannot load is told in words.
+/// The interpreter's program; it names a package that it cannot load.
 constexpr const char* script = R"(import sys
 try:
     from atria.report.__main__ import main
@@ -42,7 +42,7 @@ except ImportError as error:
 sys.exit(main())
 )";
 
-/// Where the package `atria` is: beside this program, in the tree of a build or of an installation.
+/// Returns the folder of the package `atria`: beside this program, in the tree of a build or of an installation.
 fs::path packages()
 {
   std::error_code error;
@@ -56,7 +56,7 @@ fs::path packages()
   return found;
 }
 
-/// The interpreter that the package is for: the system's, whose VTK it uses, unless ATRIA_PYTHON names another.
+/// Returns the interpreter of the package: the system's, whose VTK it uses, unless ATRIA_PYTHON names another.
 std::string interpreter()
 {
   const char* const chosen = std::getenv("ATRIA_PYTHON");
@@ -86,7 +86,7 @@ std::vector<std::string> commandOf(const Options& options)
   return command;
 }
 
-/// Goes on as the interpreter, whose exit status is that of the command.
+/// Continues as the interpreter, whose exit status is that of the command.
 [[noreturn]] void runReport(const Options& options)
 {
   prependPath("PYTHONPATH", packages().string());

@@ -18,7 +18,7 @@ namespace atria::tool {
 
 namespace {
 
-/// The two numbers of SIZE[:FEATURE].
+/// Returns the two numbers of SIZE[:FEATURE].
 std::pair<double, std::optional<double>> sizesFrom(const std::string& text)
 {
   std::istringstream in(text);
@@ -36,7 +36,7 @@ std::pair<double, std::optional<double>> sizesFrom(const std::string& text)
   throw Failure(Usage, "--size: " + text + " is not of the form SIZE or SIZE:FEATURE");
 }
 
-/// Sizes at places.
+/// Declares sizes at places.
 void declareRules(CLI::App& command, SizeOptions& options)
 {
   command
@@ -137,7 +137,7 @@ void configureSizes(vtkAtriaGridAlgorithm* filter, const SizeOptions& options)
 
 namespace {
 
-/// In MB up to some thousand, else in GB.
+/// Returns memory in MB up to some thousand, else in GB.
 std::string memoryText(long long bytes)
 {
   constexpr long long megabyte = 1'000'000;

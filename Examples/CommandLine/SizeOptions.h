@@ -36,7 +36,7 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options);
 /// Throws Failure(Usage) for a --size that is no size.
 void configureSizes(vtkAtriaGridAlgorithm* filter, const SizeOptions& options);
 
-/// Octants by size, elements and memory, as people read them.
+/// Returns octants by size, elements and memory, as text for the user.
 std::string estimateText(vtkAtriaOctreeSource* source);
 
 } // namespace atria::tool

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A label and what stands behind it.
+/// Adds a label and its text.
 void line(std::ostringstream& out, const char* label, const std::string& text)
 {
   out << std::left << std::setw(14) << label << text << '\n';
@@ -68,7 +68,7 @@ std::string worstText(const Json& quality)
   return text;
 }
 
-/// What fails in the OpenFOAM case.
+/// Returns the failed checks of the OpenFOAM case.
 std::string checksText(const Json& openfoam)
 {
   if (openfoam.is_null())
@@ -85,7 +85,7 @@ std::string checksText(const Json& openfoam)
   return text.empty() ? "all of checkMesh's pass" : text;
 }
 
-/// How many there are and the first of their names.
+/// Returns the number of names and the first of them.
 std::string namesText(const Json& names)
 {
   constexpr std::size_t most = 6;
@@ -190,7 +190,7 @@ std::string volumesText(const Json& volumes)
          volume("DisplacedByModel");
 }
 
-/// The first three.
+/// Returns the first three names.
 std::string namesOf(const std::vector<const Json*>& bodies)
 {
   constexpr std::size_t most = 3;
@@ -202,7 +202,7 @@ std::string namesOf(const std::vector<const Json*>& bodies)
   return text + (bodies.size() > most ? " and others" : "");
 }
 
-/// How many bodies there are of each state, with the first of them.
+/// Returns the number of bodies in each state, with the first of them.
 std::string bodiesText(const Json& audit)
 {
   const Json& volumes = audit["volumes"];
@@ -239,7 +239,7 @@ std::string bodiesText(const Json& audit)
   return text;
 }
 
-/// The surface that is farthest from its faces, or these from it, in elements.
+/// Returns the surface that is farthest from its faces, or these from it, in elements.
 std::string distanceText(const Json& surfaces)
 {
   double most = 0.0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Summarizes a run of `atria mesh` as text.
 #pragma once
 
 #include "Report.h"
@@ -8,9 +9,9 @@
 
 namespace atria::tool {
 
-/// What was made, in a dozen lines: elements by kind, validity, failed checks, worst angles, patches, repairs, what is
-/// left out, time, memory, files. `report` is that of `atria mesh --report`; files and folders that are not there are
-/// not told.
+/// Returns the results in a dozen lines: elements by kind, validity, failed checks, worst angles, patches, repairs,
+/// elements left out, time, memory, files. `report` is that of `atria mesh --report`. Missing files and folders are not
+/// listed.
 std::string summaryOf(const Json& report, const std::vector<std::string>& files);
 
 } // namespace atria::tool

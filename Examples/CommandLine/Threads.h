@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Sets and returns the number of VTK's threads.
 #pragma once
 
 namespace atria::tool {

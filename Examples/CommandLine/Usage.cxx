@@ -12,7 +12,7 @@ namespace atria::tool {
 
 namespace {
 
-/// The subcommand that was asked for, or the program itself.
+/// Returns the requested subcommand, or the program itself.
 const CLI::App& commandOf(const CLI::App& app)
 {
   const std::vector<CLI::App*> asked = app.get_subcommands();
@@ -48,7 +48,7 @@ std::string didYouMean(const std::string& wanted, const std::vector<std::string>
   return nearest.empty() ? "" : "; did you mean " + nearest + "?";
 }
 
-/// What nobody asked for: an option that there is not, before what may have been its value.
+/// Returns an error message on unexpected arguments: an unknown option, rather than its possible value.
 std::string unexpected(const CLI::App& app)
 {
   const std::vector<std::string> left = app.remaining(true);
@@ -66,7 +66,7 @@ std::string unexpected(const CLI::App& app)
   return left.empty() ? "" : "'" + left.back() + "' is one argument too many";
 }
 
-/// Of "INI was not able to parse mesh.size-mni".
+/// Returns an error message for "INI was not able to parse mesh.size-mni".
 std::string unknownKey(const CLI::App& app, const std::string& message)
 {
   const std::string key = message.substr(message.rfind(' ') + 1);

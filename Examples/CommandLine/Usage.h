@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Turns CLI11's errors into messages for the user.
 #pragma once
 
 #include <string>
@@ -10,7 +11,7 @@ class Error;
 
 namespace atria::tool {
 
-/// What CLI11 found wrong with the command line, in one message; with the option, subcommand or key of a config file
+/// Returns CLI11's complaint about the command line in one message, with the option, subcommand or key of a config file
 /// that was likely meant.
 std::string usageMessage(const CLI::App* app, const CLI::Error& error);
 

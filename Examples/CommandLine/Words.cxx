@@ -9,7 +9,7 @@ namespace atria::tool {
 
 namespace {
 
-/// Longer ones that begin alike come first.
+/// Longer names that begin alike come first.
 constexpr std::array optionOf{
     std::pair{"DomainMode Automatic", "--automatic"},
     std::pair{"DomainMode Site", "--site"},
@@ -110,7 +110,7 @@ std::string inOptions(const std::string& message)
     pattern += word.back() == ' ' ? "" : "\\b";
     text = std::regex_replace(text, std::regex(pattern), option);
   }
-  // Where the message names the option itself, it is there twice now.
+  // A message that names the option itself has it twice now.
   static const std::regex again(R"((--[a-z-]+)((, |; | or | and | with )\1)+(?![a-z-]))");
   static const std::regex inBrackets(R"((--[a-z-]+) \(\1\))");
   text = std::regex_replace(text, again, "$1");

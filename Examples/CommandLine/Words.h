@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Rewrites the filters' messages in terms of the command line.
 #pragma once
 
 #include <string>
 
 namespace atria::tool {
 
-/// A message of the filters in the words of the command line: options where it names properties.
+/// Returns a message of the filters with options in place of properties.
 std::string inOptions(const std::string& message);
 
 } // namespace atria::tool

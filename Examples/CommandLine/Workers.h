@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The MPI ranks that mpiexec has started the program on. The first one does what the program does alone and talks to
-/// people; the others wait for it, asleep, for meshes to make and files to write together, and end with its status.
-/// Without mpiexec, or in a build without VTK's MPI, there is one rank, and MPI is not started.
+/// The MPI ranks that mpiexec has started the program on. The first one does all that the program does alone, and talks
+/// to the user. The others wait for it, asleep, for meshes to make and files to write together, and end with its
+/// status. Without mpiexec, or in a build without VTK's MPI, there is one rank, and MPI is not started.
 #pragma once
 
 #include <functional>
@@ -21,18 +21,18 @@ public:
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// Whether there are others.
+  /// True if there are other ranks.
   explicit operator bool() const;
   bool isWorker() const;
 
-  /// Does a task with all ranks, on one that is not the first.
+  /// Does a task with all ranks; runs on all but the first.
   using Work = std::function<void(const std::string& task, vtkMultiProcessController&)>;
-  /// On all but the first rank: does what the first one asks for until its end, and returns its status.
+  /// On all but the first rank: does the tasks of the first one until its end, and returns its status.
   int serve(const Work& work);
-  /// On the first, with others: has them do a task, and does its own part with them. Meanwhile VTK's global controller
-  /// is that of the ranks.
+  /// On the first rank, if there are others: has them do a task, and does its own part with them. Meanwhile VTK's
+  /// global controller is that of the ranks.
   void doTogether(const std::string& task, const std::function<void(vtkMultiProcessController&)>& own) const;
-  /// On the first: ends the others with a status, and returns it.
+  /// On the first rank: ends the others with a status, and returns it.
   int end(int status);
 
 private:

@@ -26,7 +26,7 @@ int usageStatus(const CLI::App& app, const CLI::ParseError& error)
   return app.exit(error) == 0 ? atria::tool::Done : atria::tool::Usage;
 }
 
-/// What packagers and shells ask for.
+/// Adds the subcommands for packagers and shells: completion and man.
 void addDocuments(CLI::App& app)
 {
   using namespace atria::tool;
@@ -37,7 +37,17 @@ void addDocuments(CLI::App& app)
   app.add_subcommand("man", "Print the manual page, for man -l -")->callback([&app] { std::cout << manualOf(app); });
 }
 
-/// What the program does on one rank.
+/// Later versions of CLI11 else fill the lines of texts anew, examples of commands among them.
+template <typename Formatter> void keepLines(Formatter& formatter)
+{
+  if constexpr (requires { formatter.enable_footer_formatting(false); })
+  {
+    formatter.enable_footer_formatting(false);
+    formatter.enable_description_formatting(false);
+  }
+}
+
+/// Runs the program on one rank.
 int runProgram(int argc, char** argv, const atria::tool::Workers& workers)
 {
   using namespace atria::tool;
@@ -48,6 +58,7 @@ int runProgram(int argc, char** argv, const atria::tool::Workers& workers)
       "OpenFOAM's checkMesh, 6 a case's page is written but its runs are not to be believed, 130 interrupted, 1 any "
       "other failure.");
   app.name("atria");
+  keepLines(*app.get_formatter());
   app.set_version_flag("--version", ATRIA_TOOL_VERSION);
   app.require_subcommand(1);
   app.failure_message(usageMessage);
@@ -97,7 +108,7 @@ int runProgram(int argc, char** argv, const atria::tool::Workers& workers)
   return Failed;
 }
 
-/// What a worker does for the first rank.
+/// A worker's side of the tasks of the first rank.
 class Worker
 {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Arrays with a name, as docs/arrays.md lists them.
+/// Adds named arrays to VTK data; docs/arrays.md lists the arrays.
 #pragma once
 
 #include <vtkFieldData.h>
@@ -11,7 +11,7 @@
 
 namespace atria {
 
-/// Adds an empty array; the data holds it.
+/// Adds an empty array and returns it. The data owns it.
 template <typename Array> Array* addArray(vtkFieldData* data, const char* name, int components = 1)
 {
   vtkNew<Array> array;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Runs the core within a vtkAlgorithm: progress, abort, threads and errors.
 #pragma once
 
 #include "SmpExecutor.h"
@@ -23,8 +24,8 @@ public:
   /// Must be made on the thread that runs the algorithm: VTK's progress events belong there.
   explicit AlgorithmProgress(vtkAlgorithm& target);
   void report(double fraction, const char* phase) override;
-  /// Asked on the algorithm's thread, repeats the last progress event every tenth of a second: who wants to abort, such
-  /// as ParaView's button, may have no other occasion to say so.
+  /// True if the algorithm must stop. On the algorithm's thread, it repeats the last progress event every tenth of a
+  /// second: ParaView's abort button, for example, may have no other occasion to request the stop.
   bool aborted() const override;
 
 private:
@@ -38,7 +39,7 @@ private:
   mutable std::atomic<bool> stop{false};
 };
 
-/// What the core needs from a filter for one run.
+/// Progress and threads of a filter, for one run of the core.
 class AlgorithmRun
 {
 public:
@@ -56,16 +57,17 @@ public:
   const RunContext context;
 };
 
-/// Leaves nothing in any output, nor the field data of the input that the pipeline has put there.
+/// Empties all outputs, including the field data that the pipeline copied from the input.
 void clearOutputs(vtkInformationVector* outputs);
 
-/// Does the work of RequestData and returns what that has to return. What the core throws is told behind `task`, as an
-/// error of the filter, but for Aborted. Both leave all outputs empty; an abort also marks them as markAborted() does.
+/// Runs `work` and returns the result of RequestData. Exceptions of the core, except Aborted, become errors of the
+/// filter with `task` in front of the text. Errors and aborts leave all outputs empty; an abort also marks them as
+/// markAborted() does.
 int runFilter(vtkAlgorithm& algorithm, vtkInformationVector* outputs, const char* task,
               const std::function<void(const RunContext&)>& work);
 
-/// Has the pipeline run the filter again at the next update, although nothing was modified: its outputs are not what
-/// was asked for.
+/// Makes the pipeline run the filter again at the next update, although nothing was modified: its outputs are not the
+/// requested ones.
 void markAborted(vtkInformationVector* outputs);
 
 } // namespace atria

@@ -108,10 +108,9 @@ std::vector<Bytes> ControllerExchange::pass(const std::function<const Bytes&(int
   {
     ask(failed, "a rank has no memory for what others send", {});
   }
-  ask(fine, {}, {}); // nobody stops from here on
+  ask(fine, {}, {}); // no rank stops from here on
   std::ranges::copy(bytesTo(rank()), received[static_cast<std::size_t>(rank())].begin());
-  // Of two ranks the lower one sends first, and each goes through the others in order: none waits for one that waits
-  // for it.
+  // The lower of two ranks sends first, and each rank visits the others in order: no two ranks wait for each other.
   for (int other = 0; other < ranks(); ++other)
   {
     if (other < rank())
@@ -135,7 +134,7 @@ void ControllerExchange::run(const std::function<void()>& work)
   const auto tell = [&](Status status, const char* message) {
     if (isOver_)
     {
-      throw; // another rank has told it
+      throw; // another rank has reported it
     }
     ask(status, message, {});
   };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Exchange of the core over a vtkMultiProcessController, and the run of a filter on all its ranks.
 #pragma once
 
 #include "Support/RankExchange.h"
@@ -14,7 +15,7 @@ class vtkMultiProcessController;
 
 namespace atria {
 
-/// The ranks of a controller.
+/// Exchange between the ranks of a controller.
 class ControllerExchange : public RankExchange
 {
 public:
@@ -25,13 +26,13 @@ public:
   std::vector<Bytes> gather(const Bytes& own) override;
   bool agreeOn(const std::function<void()>& work) override;
 
-  /// Does what all ranks do together. Where one fails, all others do at their next exchange, at the latest at the end
-  /// of the work, and throw what exchange() says. Of all ranks. Work that calls the controller itself does so right
-  /// after an exchange, without anything between that can fail.
+  /// Runs `work` on all ranks together; all must call it. If one fails, all others fail at their next exchange, at the
+  /// latest at the end of the work, with the exception that exchange() names. Work that calls the controller itself
+  /// must do so right after an exchange, with nothing in between that can fail.
   void run(const std::function<void()>& work);
 
 private:
-  /// What every rank says at the begin of an exchange.
+  /// State that every rank reports at the start of an exchange.
   enum Status : int
   {
     fine,
@@ -39,19 +40,20 @@ private:
     aborted,
     disagreeing
   };
-  /// Sends each rank what is for it, without a copy.
+  /// Sends each rank its bytes, without a copy.
   std::vector<Bytes> pass(const std::function<const Bytes&(int other)>& bytesTo);
-  /// What is for which rank, by rank and then by receiver. Throws where a rank is not fine.
+  /// Gathers status and sizes of all ranks: for each sender, one size per receiver and then its status. Throws if a
+  /// rank is not fine.
   std::vector<long long> ask(Status status, const std::string& message, const std::vector<long long>& sizes);
 
   vtkMultiProcessController& controller_;
-  bool isOver_ = false; ///< as a rank has failed
+  bool isOver_ = false; ///< true once a rank has failed
 };
 
-/// Does the work of a filter on all ranks at the same time, and returns as RequestData does: the same on all. What any
-/// rank throws is an error of the first one's filter. Returns nothing where the work says so, on all ranks, or where
-/// these disagree, with a warning then: the first one is to do it as a whole. Outputs are empty then, as they are after
-/// errors. Progress is that of the first rank.
+/// Runs the work of a filter on all ranks at the same time and returns the result of RequestData, the same on all. An
+/// exception on any rank is an error of the first rank's filter. Returns nullopt on all ranks if `work` returns false,
+/// or, with a warning, if the ranks disagree: the first rank must then do the whole work. Outputs are empty then, as
+/// after errors. Progress is that of the first rank.
 std::optional<int> runOnRanks(vtkAlgorithm& algorithm, vtkInformationVector* outputs,
                               vtkMultiProcessController& controller,
                               const std::function<bool(RankExchange&, const RunContext&)>& work);

@@ -27,7 +27,7 @@ constexpr int root = 0;
 
 constexpr int tag = 27184;
 
-/// The outputs that are dealt out, of one rank.
+/// The distributed outputs of one rank.
 class Hand
 {
 public:
@@ -59,7 +59,7 @@ public:
   vtkPartitionedDataSetCollection* patches;
 };
 
-/// Whether a piece comes, then the piece.
+/// Sends a flag that says if a piece follows, then the piece.
 void sendPiece(bool comes, vtkDataObject* mesh, vtkDataObject* patches, int rank, vtkMultiProcessController& controller)
 {
   const int notice = comes ? 1 : 0;
@@ -82,7 +82,7 @@ void receivePiece(const Hand& hand, vtkMultiProcessController& controller)
   }
 }
 
-/// Gives the others their pieces and keeps the root's. Returns whether all could be made.
+/// Sends the other ranks their pieces and keeps the root's. Returns true if all could be made.
 bool deal(vtkAlgorithm& algorithm, const Hand& hand, std::vector<Index> rankOf, int levels,
           vtkMultiProcessController& controller)
 {

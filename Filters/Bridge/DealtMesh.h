@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A mesh that the first rank holds, dealt out to all.
+/// Distributes a mesh of the first rank to all ranks.
 #pragma once
 
 #include "Ranks.h"
@@ -9,13 +9,13 @@
 
 namespace atria {
 
-/// How many ghost levels any rank asks for, but one at least; of all ranks.
+/// Returns the largest number of ghost levels that any rank requests, at least one. All ranks must call it.
 int ghostLevelsAsked(vtkInformationVector* outputs, vtkMultiProcessController& controller);
 
-/// Deals out the outputs of an algorithm that has done its work on the first rank; the others' are empty. `rankOf`, on
-/// the first rank, has the rank of each cell, if that is known. The first rank makes one piece after the other, so that
-/// it holds the whole and one piece at most. Returns what RequestData does: 0, on all ranks, where the first one cannot
-/// make a piece, with an error there and empty outputs everywhere.
+/// Distributes the outputs of an algorithm that ran on the first rank; those of the others are empty before. `rankOf`,
+/// on the first rank, has the rank of each cell, if that is known. The first rank makes one piece after the other, so
+/// that it holds the whole and one piece at most. Returns the result of RequestData. If the first rank cannot make a
+/// piece, it reports an error; all ranks then return 0 and have empty outputs.
 int dealMesh(vtkAlgorithm& algorithm, vtkInformationVector* outputs, const DealtOutputs& dealt,
              std::vector<Index> rankOf, vtkMultiProcessController& controller);
 

@@ -27,7 +27,7 @@ namespace atria {
 namespace {
 
 constexpr int tag = 27185;
-/// Fewer than of a whole: ranks of one machine measure their pieces at the same time.
+/// Number of cells measured at once, fewer than for a whole mesh: ranks on one machine measure at the same time.
 constexpr std::size_t measuredOfPiece = measuredAtOnce / 4;
 
 std::vector<std::int64_t> idsOf(vtkDataSetAttributes* data, const char* name)
@@ -51,7 +51,7 @@ bool hasGhosts(vtkUnstructuredGrid* grid)
   return ghosts && std::any_of(ghosts->Begin(), ghosts->End(), [](unsigned char ghost) { return ghost != 0; });
 }
 
-/// What each rank has, of all of them.
+/// Returns the sum of `count` over all ranks.
 vtkIdType total(vtkIdType count, vtkMultiProcessController& controller)
 {
   vtkIdType sum = 0;
@@ -297,7 +297,7 @@ std::vector<Index> MeshPiece::numbersOf(const WidePiece& wide) const
   return numbers;
 }
 
-/// Where the cell is among those asked for, then its values.
+/// Returns, for each requested cell that is an own one, its place in `asked`, then its values.
 std::vector<double> MeshPiece::answer(std::span<const vtkIdType> asked,
                                       const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a rank holds of a mesh that was dealt out, to be worked on where it is.
+/// A rank's piece of a distributed mesh, to be processed in place.
 #pragma once
 
 #include "Quality/Checks/BoxQuality.h"
@@ -37,13 +37,14 @@ private:
   vtkMultiProcessController& controller;
 };
 
-/// A piece with ghost cells and global ids. All ranks make theirs, and call what is said to be of all, at the same
-/// time.
+/// A piece with ghost cells and global ids. All ranks make their pieces at the same time; functions marked "all ranks"
+/// must be called by all at the same time, too.
 class MeshPiece
 {
 public:
-  /// Nothing, on all ranks, unless every rank that has cells has such a piece, and one has cells. `grid` outlives this.
-  /// Patches are those given, if they have faces anywhere, else those recorded in the mesh.
+  /// Returns the piece, or nullopt on all ranks unless every rank with cells has such a piece, and at least one has
+  /// cells. `grid` must outlive it. Patches are the given ones if they have faces anywhere, else those recorded in the
+  /// mesh.
   static std::optional<MeshPiece> of(vtkUnstructuredGrid* grid, vtkPartitionedDataSetCollection* given,
                                      vtkMultiProcessController& controller);
 
@@ -51,23 +52,23 @@ public:
   std::vector<Index> ownCells() const;
   std::size_t cellCount() const { return own.size(); }
 
-  /// The metrics of its own cells, and of faces such that each one of the whole mesh is counted once. Nothing where the
-  /// faces of patches are not all of the boundary of its own cells.
+  /// Returns the metrics of its own cells and of its faces; each face of the whole mesh counts on one rank. Returns
+  /// nullopt if the faces of patches are not the whole boundary of its own cells.
   std::optional<QualityByBoxes> measure(const RunContext& context) const;
 
-  /// Faces of patches, ghosts' among them where patches are recorded, with the numbers of the piece. A rank without
-  /// cells may have no patches.
+  /// Faces of patches, with the numbers of the piece; recorded patches include faces of ghosts. A rank without cells
+  /// may have no patches.
   const VtkPatches& facesOfPatches() const { return patches; }
-  /// Faces of face zones that are of its own cells, with numbers of the whole.
+  /// Faces of face zones that belong to its own cells, with the numbers of the whole mesh.
   const VtkPatches& facesOfZones() const { return zones; }
 
-  /// With so many rings of cells about its own, and what cells bear; of all.
+  /// Returns the piece with `rings` rings of cells around its own, and the labels of these cells. All ranks.
   WidePiece widen(int rings, RankExchange& exchange, const Executor& executor,
                   const std::vector<IdView>& labels = {}) const;
-  /// By cell of a wide piece, its number here, or noIndex if it is not there.
+  /// Returns one entry per cell of a wide piece: its number in this piece, or noIndex.
   std::vector<Index> numbersOf(const WidePiece& wide) const;
 
-  /// Gives ghost cells the values that their ranks have; of all.
+  /// Gives ghost cells the values of the ranks that own them. All ranks.
   void fillGhosts(const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const;
 
 private:
@@ -82,15 +83,15 @@ private:
                              const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const;
   void take(const std::vector<double>& answers, const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const;
 
-  /// Numbers of things in the whole, and which one here has a number.
+  /// Numbers in the whole mesh, with a search for the local cell or point of a number.
   struct Ids
   {
     std::vector<std::int64_t> ids;
-    std::vector<Index> order; ///< in which they rise
+    std::vector<Index> order; ///< local numbers, sorted by id
 
     Ids() = default;
     explicit Ids(std::vector<std::int64_t> numbers);
-    Index find(std::int64_t id) const; ///< noIndex where it is not here
+    Index find(std::int64_t id) const; ///< noIndex if it is not in the piece
   };
 
   vtkUnstructuredGrid* grid;

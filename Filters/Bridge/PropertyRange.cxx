@@ -10,7 +10,7 @@ namespace atria {
 
 void checkRange(const char* property, double value, double least, double most)
 {
-  if (value >= least && value <= most) // false for what is no number
+  if (value >= least && value <= most) // false for a value that is no number
   {
     return;
   }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a run says of properties outside of their range.
+/// Errors for properties outside of their range.
 #pragma once
 
 namespace atria {
 
-/// Throws Error with property, value and range unless the value is in the range. Limits of 1e30 and beyond, and those
-/// of int, are none; but infinity is in no range.
+/// Throws Error with property, value and range if the value is outside the range. Limits of 1e30 and beyond, and those
+/// of int, count as no limit; infinity is outside every range.
 void checkRange(const char* property, double value, double least, double most);
 
 } // namespace atria
 
-/// For methods of a class whose property was declared by vtkAtriaSetInRangeMacro.
+/// Checks a property in a method of its class. The property must be declared by vtkAtriaSetInRangeMacro.
 #define atriaCheckRange(name)                                                                                          \
   atria::checkRange(#name, this->name, this->Get##name##MinValue(), this->Get##name##MaxValue())

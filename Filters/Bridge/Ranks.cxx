@@ -34,8 +34,8 @@ namespace {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 constexpr int root = 0;
-/// On an output: whether the pipeline runs the filter for each block of a composite input. How many there are may
-/// differ from rank to rank, so each rank works on its own.
+/// Key of an output: 1 if the pipeline runs the filter for each block of a composite input. The number of blocks may
+/// differ between ranks, so each rank works on its own then.
 vtkInformationIntegerKey* runsByBlock()
 {
   static vtkInformationIntegerKey* const key = vtkInformationIntegerKey::MakeKey("RUNS_BY_BLOCK", "Atria");
@@ -68,7 +68,7 @@ bool isRunByBlock(vtkAlgorithm& algorithm, vtkInformationVector** inputs)
   return false;
 }
 
-/// The pieces that are not empty of all ranks, on the root; nothing on others.
+/// The non-empty pieces of all ranks, on the root; empty on others.
 struct Pieces
 {
   std::vector<vtkSmartPointer<vtkDataObject>> data;
@@ -97,7 +97,7 @@ Pieces gather(vtkDataObject* own, vtkMultiProcessController& controller)
   return pieces;
 }
 
-/// Frees the pieces. `rankOf`, if given, becomes the rank of each cell where these came from several.
+/// Joins the pieces and frees them. `rankOf`, if given, becomes the rank of each cell if these came from several.
 vtkSmartPointer<vtkDataObject> joinFound(Pieces& found, std::vector<Index>* rankOf)
 {
   const bool wasDivided = found.data.size() > 1;
@@ -110,7 +110,7 @@ vtkSmartPointer<vtkDataObject> joinFound(Pieces& found, std::vector<Index>* rank
   return whole;
 }
 
-/// Inputs in place of others while it lives.
+/// Replaces inputs by others during its lifetime.
 class InputsInPlace
 {
 public:
@@ -189,8 +189,7 @@ void makeEmpty(vtkDataObject* output, vtkMultiProcessStream& structure)
   }
 }
 
-/// Has the pipeline know that there will be a ghost level, so that a filter that asks for one later does not run all
-/// again.
+/// Announces a ghost level to the pipeline, so that a filter that requests one later does not run everything again.
 void askForGhosts(vtkInformationVector* outputs)
 {
   for (int i = 0; i < outputs->GetNumberOfInformationObjects(); ++i)
@@ -207,7 +206,7 @@ bool wasAborted(vtkInformationVector* outputs)
   return first && first->Get(vtkDemandDrivenPipeline::DATA_NOT_GENERATED()) == 1;
 }
 
-/// Tells the others of the root's result and outputs.
+/// Sends the root's result and the structure of its outputs to the others. Returns the result on all ranks.
 int shareResult(int result, vtkInformationVector* outputs, vtkMultiProcessController& controller)
 {
   const int count = outputs->GetNumberOfInformationObjects();
@@ -319,7 +318,7 @@ int Ranks::run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInform
     gathered.emplace_back(info, gather(vtkDataObject::GetData(info), *controller));
   });
   int result = 0;
-  std::vector<Index> rankOf; // of the cells of the first input
+  std::vector<Index> rankOf; // one entry per cell of the first input
   try
   {
     InputsInPlace whole;
@@ -374,7 +373,7 @@ vtkTypeBool processOnRanks(vtkAlgorithm& algorithm, vtkInformation* request, vtk
       outputs->GetInformationObject(i)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
     }
   }
-  // The pipeline's own request; those of its loop over blocks come after forwarding.
+  // This is the pipeline's own request; requests of its loop over blocks come after forwarding.
   if (request->Has(Pipeline::REQUEST_UPDATE_EXTENT()) && request->Has(vtkExecutive::ALGORITHM_BEFORE_FORWARD()))
   {
     output->Set(runsByBlock(), isRunByBlock(algorithm, inputs) ? 1 : 0);

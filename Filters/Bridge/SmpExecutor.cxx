@@ -15,7 +15,7 @@ namespace atria {
 
 namespace {
 
-/// The backend to use: VTK's own choice, but threads instead of a Sequential nobody asked for.
+/// Returns the backend to use: VTK's own choice, but threads instead of a Sequential that nobody requested.
 std::string backendInUse()
 {
   const std::string chosen = vtkSMPTools::GetBackend() ? vtkSMPTools::GetBackend() : "Sequential";

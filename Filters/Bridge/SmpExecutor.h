@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Runs the core's loops on VTK's threads.
 #pragma once
 
 #include "Support/Executor.h"

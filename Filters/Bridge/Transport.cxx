@@ -48,7 +48,7 @@ Kind kindOf(vtkDataObject* data)
                                                                : other;
 }
 
-/// The array, or a copy whose values stand in memory one by one.
+/// Returns the array, or a copy with contiguous values.
 vtkSmartPointer<vtkAbstractArray> plainArray(vtkAbstractArray* array)
 {
   if (!array || !vtkDataArray::SafeDownCast(array) || array->HasStandardMemoryLayout())
@@ -60,7 +60,7 @@ vtkSmartPointer<vtkAbstractArray> plainArray(vtkAbstractArray* array)
   return copy;
 }
 
-/// The values of an array as they stand in memory.
+/// The values of an array in memory.
 struct Bytes
 {
   unsigned char* first;
@@ -79,7 +79,7 @@ bool canBeSent(vtkAbstractArray* array)
   return vtkDataArray::SafeDownCast(array) || vtkStringArray::SafeDownCast(array);
 }
 
-/// What a message says of an array; strings are in it.
+/// Writes the description of an array to a message; strings are part of it.
 void describe(vtkAbstractArray* array, vtkMultiProcessStream& out)
 {
   out << (canBeSent(array) ? 1 : 0);
@@ -160,7 +160,7 @@ void sendArrays(vtkMultiProcessStream head, Arrays arrays, int rank, vtkMultiPro
   }
 }
 
-/// After what `head` says of other things.
+/// Receives the arrays that `head` describes next.
 Arrays receiveArrays(vtkMultiProcessStream& head, int rank, vtkMultiProcessController& controller)
 {
   int count = 0;
@@ -206,7 +206,7 @@ void describeAttributes(vtkFieldData* data, vtkMultiProcessStream& head)
   }
 }
 
-/// How many arrays there are, and sets attributes once these are there.
+/// Number of arrays and names of attributes; take() adds the arrays and sets the attributes.
 struct Attributes
 {
   Attributes(vtkFieldData* data, vtkMultiProcessStream& head) : target(data)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Data objects from rank to rank.
+/// Sends data objects between ranks.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -9,11 +9,12 @@ class vtkMultiProcessController;
 
 namespace atria {
 
-/// Unstructured grids, surfaces and collections of these go array by array, without a copy, and arrive with the same
-/// bits; arrays of neither numbers nor strings stay behind. All else goes as VTK sends it. `data` may be null.
+/// Sends a data object. Unstructured grids, surfaces and collections of these are sent array by array, without a copy,
+/// and arrive with the same bits; arrays of neither numbers nor strings are omitted. Other types are sent by VTK.
+/// `data` may be null.
 void sendData(vtkDataObject* data, int rank, vtkMultiProcessController& controller);
 
-/// What sendData() of `rank` sent.
+/// Receives the object that `rank` sends by sendData().
 vtkSmartPointer<vtkDataObject> receiveData(int rank, vtkMultiProcessController& controller);
 
 } // namespace atria

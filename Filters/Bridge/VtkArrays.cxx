@@ -86,7 +86,7 @@ void appendPatch(VtkPatches& out, const std::string& name, vtkPolyData* patch, v
   }
 }
 
-/// The blocks that are face zones, or those that are not.
+/// Reads the blocks that are face zones, or those that are not.
 VtkPatches blocksFromVtk(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume, bool zones)
 {
   VtkPatches out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Volume meshes from VTK to the core.
+/// Converts points, cells and patches of volume meshes from VTK to the core.
 #pragma once
 
 #include "Quality/Faces/FaceMesh.h"
@@ -21,13 +21,14 @@ class vtkUnstructuredGrid;
 
 namespace atria {
 
-/// The points in double precision.
+/// Returns the points in double precision.
 std::vector<Vec3> pointsFromVtk(vtkPoints* points, const Executor& executor = SerialExecutor());
 
-/// In double precision.
+/// Returns VTK points in double precision.
 vtkSmartPointer<vtkPoints> pointsToVtk(std::span<const Vec3> points, const Executor& executor = SerialExecutor());
 
-/// The points in double precision without a copy, where they are so. VTK's must outlive it, unchanged.
+/// View of points in double precision; copies them only if VTK stores them differently. VTK's points must outlive it,
+/// unchanged.
 class VtkPoints
 {
 public:
@@ -42,7 +43,8 @@ private:
   std::span<const Vec3> points_;
 };
 
-/// A grid's cell arrays: VTK's own where they can be viewed directly, else copies. The grid must outlive it, unchanged.
+/// View of a grid's cell arrays; copies them only if they cannot be viewed directly. The grid must outlive it,
+/// unchanged.
 class VtkCells
 {
 public:
@@ -62,7 +64,7 @@ private:
   std::vector<Buffer<std::int64_t>> copies;
 };
 
-/// The faces of named patches, or of face zones, in terms of the volume mesh they belong to.
+/// Faces of named patches or face zones, with the numbers of their volume mesh.
 struct VtkPatches
 {
   struct Patch
@@ -72,15 +74,15 @@ struct VtkPatches
     std::size_t faceCount = 0;
   };
   std::vector<Patch> patches;
-  std::vector<Index> owners;            ///< per face
-  std::vector<Index> neighbors;         ///< per face of a zone, the cell across; empty for patches
-  std::vector<std::int64_t> offsets{0}; ///< per face, into points
+  std::vector<Index> owners;            ///< one entry per face
+  std::vector<Index> neighbors;         ///< one entry per face of a zone: the cell across; empty for patches
+  std::vector<std::int64_t> offsets{0}; ///< one entry per face, into points
   std::vector<std::int64_t> points;     ///< ids of the volume mesh's points
 
   std::span<const std::int64_t> face(std::size_t f) const;
   std::vector<BoundaryFaceKey> keys() const;
 
-  /// Appends a face of `corners`, ids of points; with a neighbor if it is one of a zone.
+  /// Appends a face with the point ids `corners`; faces of zones have a neighbor.
   template <typename Corners> void append(Index owner, std::optional<Index> neighbor, const Corners& corners)
   {
     owners.push_back(owner);
@@ -91,19 +93,18 @@ struct VtkPatches
     points.insert(points.end(), std::begin(corners), std::end(corners));
     offsets.push_back(static_cast<std::int64_t>(points.size()));
   }
-  /// Appends the faces from that one on under a name.
+  /// Makes a named patch of the faces from `firstFace` on.
   void close(std::string name, std::size_t firstFace);
 };
 
-/// The name of a patch, by its place if it has none.
+/// Returns the name of a patch; one made from its index if it has none.
 std::string patchNameOf(vtkPartitionedDataSetCollection* patches, unsigned int i);
 
-/// Reads the mesher's patches by their arrays OwnerCellId (cells) and VolumePointId (points), and leaves out its face
-/// zones. Throws Error naming the patch that lacks them or refers to cells or points that the volume mesh does not
-/// have.
+/// Reads the mesher's patches by their arrays OwnerCellId (cells) and VolumePointId (points), without its face zones.
+/// Throws Error that names a patch without these arrays, or with cells or points that the volume mesh does not have.
 VtkPatches patchesFromVtk(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume);
 
-/// The same of the face zones among them, which have the cell array NeighborCellId.
+/// The same for its face zones, which have the cell array NeighborCellId.
 VtkPatches faceZonesFromVtk(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume);
 
 } // namespace atria

@@ -14,7 +14,7 @@ namespace atria {
 
 namespace {
 
-/// The names of three arrays: a distance, the same in elements, and where it is.
+/// Names of three arrays: a distance, the same in elements, and its position.
 struct DistanceNames
 {
   const char* distance;
@@ -38,7 +38,7 @@ void farthestToVtk(const std::vector<SurfaceAudit>& surfaces, FarthestPlace Surf
   }
 }
 
-/// What there is to say of a body.
+/// Values reported for a body.
 struct BodyRow
 {
   const char* state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The verdict of the mesh checks as a table.
+/// Converts the verdict of the mesh checks to a table.
 #pragma once
 
 #include "Quality/Checks/MeshChecks.h"
@@ -8,7 +8,7 @@ class vtkTable;
 
 namespace atria {
 
-/// A row for each check, with the columns that docs/arrays.md lists. `table` is empty before.
+/// Fills `table`, which must be empty, with a row for each check and the columns that docs/arrays.md lists.
 void checksToVtk(const MeshVerdict& verdict, vtkTable* table);
 
 } // namespace atria

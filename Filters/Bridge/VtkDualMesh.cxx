@@ -34,7 +34,7 @@ struct VtkElement
   std::array<ReducedFace, 6> faces;
 };
 
-/// Also a tetrahedron. The base's normal points to the apex, against the outward face's.
+/// Makes a pyramid or a tetrahedron. The base's normal points to the apex, opposite to the outward face's.
 void setPyramid(VtkElement& element, const ReducedFace& base)
 {
   const auto end = base.points.begin() + base.count;
@@ -50,7 +50,7 @@ void setPyramid(VtkElement& element, const ReducedFace& base)
   element.type = VTK_PYRAMID;
 }
 
-/// The point next to `p` in some quad that is not in the triangle `end`.
+/// Returns the point next to `p` in a quad that is not in the triangle `end`.
 Index acrossWedge(const VtkElement& element, const ReducedFace& end, Index p)
 {
   for (const ReducedFace& face : element.faces)
@@ -122,7 +122,7 @@ VtkElement translate(const std::array<Index, 8>& corners)
   return element;
 }
 
-/// Entries of a piece of the elements in VTK's arrays.
+/// Number of entries of a piece of the elements in VTK's arrays.
 struct CellSizes
 {
   vtkIdType points = 0;
@@ -146,7 +146,7 @@ bool isHexahedron(const std::array<Index, 8>& corners)
   return true;
 }
 
-/// What a cell needs for its faces.
+/// Returns the number of entries that a cell's faces need.
 FaceSizes sizesOf(const VtkElement& element)
 {
   FaceSizes sizes;
@@ -162,7 +162,7 @@ FaceSizes sizesOf(const VtkElement& element)
   return sizes;
 }
 
-/// `used` counts those before, and then this one too.
+/// Writes the faces of a polyhedron. `used` counts the entries before it, and afterwards its own, too.
 void writeFaces(const VtkElement& element, vtkIdType cell, FaceSizes& used, FaceLists& lists)
 {
   lists.begin(cell, used, sizesOf(element).faces);
@@ -176,7 +176,7 @@ void writeFaces(const VtkElement& element, vtkIdType cell, FaceSizes& used, Face
   }
 }
 
-/// Types of a piece's cells; returns what they need.
+/// Sets the types of a piece's cells. Returns the number of entries that they need.
 CellSizes countCells(const DualMesh& mesh, std::size_t begin, std::size_t end, unsigned char* types)
 {
   CellSizes sizes;
@@ -196,7 +196,7 @@ CellSizes countCells(const DualMesh& mesh, std::size_t begin, std::size_t end, u
   return sizes;
 }
 
-/// VTK's arrays of cells, to be filled by pieces.
+/// VTK's arrays of cells, filled piece by piece.
 template <typename Value> struct CellTarget
 {
   Value* offsets;
@@ -243,7 +243,7 @@ void addLabels(const char* name, const Buffer<std::int32_t>& labels, NumberOf&& 
   out->GetCellData()->AddArray(ids);
 }
 
-/// 32-bit where they suffice.
+/// Fills the cells of a grid; `Array` has 32-bit ids if they suffice.
 template <typename Array> void fillCells(const DualMesh& mesh, vtkUnstructuredGrid* out, const Executor& executor)
 {
   const auto count = static_cast<vtkIdType>(mesh.elementCount());

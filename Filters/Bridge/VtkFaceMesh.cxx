@@ -37,7 +37,7 @@ std::string describe(const VtkPatches& patches, std::size_t face)
 void checkPatchFaces(const VtkFaceMesh& result)
 {
   const std::size_t internal = result.mesh.internalFaceCount();
-  std::vector<Index> taken(result.mesh.faceCount() - internal, noIndex); // by boundary face
+  std::vector<Index> taken(result.mesh.faceCount() - internal, noIndex); // one entry per boundary face
   for (std::size_t f = 0; f < result.patchFaces.size(); ++f)
   {
     const Index face = result.patchFaces[f];
@@ -55,7 +55,7 @@ void checkPatchFaces(const VtkFaceMesh& result)
   }
 }
 
-/// Whether the faces of the patches are all boundary faces of the mesh, each once.
+/// True if the patches have each boundary face of the mesh exactly once.
 bool patchesAreTheBoundary(const VtkFaceMesh& result)
 {
   const std::size_t internal = result.mesh.internalFaceCount();
@@ -79,7 +79,7 @@ void findFaces(VtkFaceMesh& result, vtkUnstructuredGrid* volume, const Executor&
   result.patchFaces = findBoundaryFaces(result.mesh, keys, executor);
 }
 
-/// Finds the faces of zones in the mesh; returns the first that is not there, else their number.
+/// Finds the faces of zones in the mesh. Returns the index of the first one that is not there, or their number.
 std::size_t findZoneFaces(VtkFaceMesh& result, const Executor& executor)
 {
   const std::vector<BoundaryFaceKey> keys = result.zones.keys();
@@ -98,7 +98,7 @@ void takeGivenZones(VtkFaceMesh& result, vtkPartitionedDataSetCollection* patche
   }
 }
 
-/// Without any where they belong to other cells.
+/// Takes the recorded zones; none if they belong to other cells.
 void takeRecordedZones(VtkFaceMesh& result, vtkUnstructuredGrid* volume, const Executor& executor)
 {
   result.zones = recordedFaceZones(volume).value_or(VtkPatches());
@@ -109,7 +109,8 @@ void takeRecordedZones(VtkFaceMesh& result, vtkUnstructuredGrid* volume, const E
   }
 }
 
-/// False where what is recorded belongs to other cells; the result then has no patches.
+/// Takes the recorded patches. Returns false if there are none or if they belong to other cells; the result then has no
+/// patches.
 bool findRecordedFaces(VtkFaceMesh& result, vtkUnstructuredGrid* volume, const Executor& executor)
 {
   std::optional<VtkPatches> recorded = recordedPatches(volume);

@@ -27,7 +27,7 @@ namespace {
 constexpr std::array<const char*, 5> curveKindNames{"boundary", "crease", "junction", "border", "corner"};
 constexpr int cornerKind = 4;
 
-/// The points of the model that are in use, in VTK's numbers.
+/// Used points of the model, with VTK's numbers.
 class PointNumbers
 {
 public:
@@ -53,7 +53,7 @@ private:
   vtkNew<vtkPoints> points_;
 };
 
-/// Of surfaces and, by the numbers that follow, domain sides.
+/// Returns the name of a surface; numbers after those of surfaces are domain sides.
 std::string nameOf(const SurfaceModel& model, Index surface)
 {
   const auto count = static_cast<Index>(model.names.size());
@@ -67,7 +67,7 @@ std::string namesOf(const SurfaceModel& model, const std::vector<Index>& surface
   return joined(names, " + ");
 }
 
-/// Per point: how many feature edges end there, and the surfaces along them.
+/// Number of feature edges that end at a point, and the surfaces along them.
 struct Meeting
 {
   int edges = 0;
@@ -148,7 +148,7 @@ void modelToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPolyData* 
   out->SetPoints(numbers.points());
   out->SetPolys(triangles);
   std::vector<std::string> names = model.names;
-  // Of a turned domain the sides follow, by number.
+  // Sides of a turned domain follow the surfaces, in order of their numbers.
   const auto count = model.surfaceIds.empty() ? 0 : *std::ranges::max_element(model.surfaceIds) + 1;
   for (auto id = static_cast<Index>(names.size()); id < count; ++id)
   {

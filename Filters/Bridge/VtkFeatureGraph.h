@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Features of the model from the core to VTK; docs/arrays.md lists the arrays.
+/// Converts features of the model from the core to VTK; docs/arrays.md lists the arrays.
 #pragma once
 
 #include "Surface/Model/SurfaceModel.h"
@@ -8,10 +8,10 @@ class vtkPolyData;
 
 namespace atria {
 
-/// A vertex for each corner, then a line for each feature edge.
+/// Makes a vertex for each corner, then a line for each feature edge.
 void featureCurvesToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPolyData* out);
 
-/// The triangles as the mesher sees them.
+/// Converts the triangles as the mesher sees them.
 void modelToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPolyData* out);
 
 } // namespace atria

@@ -54,7 +54,7 @@ bool hasNoGaps(const Order& order)
   return order.empty() || order.back().id - order.front().id + 1 == static_cast<vtkIdType>(order.size());
 }
 
-/// What is in all pieces, by the order of the whole.
+/// Joins the arrays that all pieces have, in the order of the whole.
 template <typename Attributes>
 void joinTuples(const std::vector<Attributes*>& pieces, const Order& order, const char* idsName,
                 vtkDataSetAttributes* whole)
@@ -101,7 +101,7 @@ void joinTuples(const std::vector<Attributes*>& pieces, const Order& order, cons
   }
 }
 
-/// Points of pieces that are used, each once.
+/// Used points of the pieces, each once.
 class JoinedPoints
 {
 public:
@@ -157,7 +157,7 @@ public:
   }
 
   Order order;
-  std::vector<VtkIds> newPoint; ///< by piece
+  std::vector<VtkIds> newPoint; ///< one list per piece
 };
 
 template <typename Piece> Order orderOfCells(const std::vector<Piece*>& pieces)

@@ -56,7 +56,7 @@ void addFrame(const GridFrame& f, vtkDataObject* out)
   }
 }
 
-/// Its corners follow the other values.
+/// Reads the domain. Its corners follow the other values.
 PlacedPrism prismOf(const PlacedBox& box, vtkDoubleArray& values)
 {
   const auto count = static_cast<vtkIdType>(values.GetValue(frameValueCount - 1));
@@ -69,7 +69,7 @@ PlacedPrism prismOf(const PlacedBox& box, vtkDoubleArray& values)
   {
     corners.emplace_back(values.GetValue(frameValueCount + 2 * i), values.GetValue(frameValueCount + 2 * i + 1));
   }
-  // A regular one may be stretched beyond what a polygon may be.
+  // A regular prism may be stretched more than a polygon may be.
   PlacedPrism regular(box, static_cast<int>(count));
   const bool isRegular = !regular.isBox() && std::ranges::equal(regular.sides(), corners, {}, &PrismSide::start);
   return isRegular ? regular : PlacedPrism(box.axes, corners, box.bounds.min[2], box.bounds.max[2]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Octrees between the core and VTK.
+/// Converts octrees between the core and VTK.
 #pragma once
 
 #include "Octree/Tree/Octree.h"
@@ -10,15 +10,16 @@ class vtkUnstructuredGrid;
 
 namespace atria {
 
-/// Leaves in the domain as voxels, or as hexahedra where the grid is turned, with cell arrays Level and FeatureType.
-/// The field array OctreeFrame (23 values) keeps what octreeFromVtk needs.
+/// Converts leaves in the domain to voxels, or to hexahedra if the grid is turned, with cell arrays Level and
+/// FeatureType. The field array OctreeFrame (23 values) keeps the data that octreeFromVtk needs.
 void octreeToVtk(const Octree& octree, vtkUnstructuredGrid* out);
 
-/// The whole root cube as one hyper tree; leaves outside the domain are masked. Throws Error where the grid is turned.
+/// Converts the whole root cube to one hyper tree; leaves outside the domain are masked. Throws Error if the grid is
+/// turned.
 void octreeToVtk(const Octree& octree, vtkHyperTreeGrid* out);
 
-/// Frame and refined octants of what octreeToVtk made, possibly with cells removed since: they come back as coarse as
-/// the others allow. Throws Error for data from elsewhere.
+/// Returns frame and refined octants of data that octreeToVtk made. Removed cells are restored as coarse as the others
+/// allow. Throws Error for other data.
 OctreeSets octreeFromVtk(vtkDataObject* data);
 
 } // namespace atria

@@ -32,7 +32,7 @@ struct Patch
   std::vector<Index> faces;
 };
 
-/// Makes a name its own by a number, should a surface be called like another's side or like a side of the domain.
+/// Makes a name unique by a number, in case a surface is named like another's side or like a side of the domain.
 std::string uniqueName(std::string name, std::set<std::string>& taken)
 {
   const std::string base = name;
@@ -43,7 +43,7 @@ std::string uniqueName(std::string name, std::set<std::string>& taken)
   return name;
 }
 
-/// Two slots a tag, front and back; one-sided surfaces and domain sides use the first.
+/// Sorts faces into two patches per tag, front and back; one-sided surfaces and domain sides use the first.
 std::vector<Patch> sortFaces(const DualMesh& mesh, const std::vector<MetSides>& met,
                              const std::vector<std::string>& names, std::set<std::string>& taken)
 {
@@ -69,7 +69,7 @@ std::vector<Patch> sortFaces(const DualMesh& mesh, const std::vector<MetSides>& 
   return patches;
 }
 
-/// The faces within the mesh of each face zone, in the order of surfaces.
+/// Collects the internal faces of each face zone, in the order of surfaces.
 std::vector<Patch> sortZones(const DualMesh& mesh, const std::vector<MetSides>& met,
                              const std::vector<std::string>& names, const std::vector<SurfaceKind>& kinds,
                              std::set<std::string>& taken)
@@ -128,7 +128,7 @@ private:
     return numbers ? static_cast<vtkIdType>(numbers->elements[element]) : vtkIdType{element};
   }
 
-  /// Points, polygons and what patches and zones have in common.
+  /// Adds points, polygons and the arrays that patches and zones have in common.
   template <typename Faces> void writeFaces(const Patch& patch, const Faces& faces, vtkPolyData* out)
   {
     vtkNew<vtkPoints> points;
@@ -283,7 +283,7 @@ void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::strin
   out->SetPoints(points);
   out->SetVerts(vertices);
   out->SetLines(lines);
-  out->GetCellData()->SetActiveScalars("Diagnostic"); // what programs color by unless told otherwise
+  out->GetCellData()->SetActiveScalars("Diagnostic"); // programs color by this array by default
   addArrayOf<vtkStringArray>(out->GetFieldData(), "DiagnosticName", diagnosticNames);
   auto* lost = addArray<vtkStringArray>(out->GetFieldData(), "SurfaceWithoutFaces");
   for (std::size_t i = 0; i + result.rooms.found < surfaceNames.size(); ++i)

@@ -41,7 +41,7 @@ bool isNumberedGrid(vtkDataObject* piece)
   return grid && isNumbered(grid);
 }
 
-/// The partitions as one, where they are polygons with ids; else as they are.
+/// Joins the partitions if they are polygons with ids; else leaves them unchanged.
 void joinPartitions(vtkPartitionedDataSetCollection* sets, unsigned int set)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> parts;
@@ -80,7 +80,7 @@ vtkSmartPointer<vtkDataObject> joinCollections(const Pieces& pieces)
       }
       for (unsigned int j = 0; j < sets->GetNumberOfPartitions(i); ++j)
       {
-        if (vtkDataObject* part = sets->GetPartitionAsDataObject(i, j)) // readers leave out what was empty
+        if (vtkDataObject* part = sets->GetPartitionAsDataObject(i, j)) // readers omit empty partitions
         {
           joined->SetPartition(at, joined->GetNumberOfPartitions(at), part);
         }
@@ -111,7 +111,7 @@ vtkSmartPointer<vtkDataObject> joinGridsByIds(const Pieces& pieces, std::vector<
 vtkSmartPointer<vtkDataObject> joinGrids(const Pieces& pieces)
 {
   vtkNew<vtkAppendFilter> append;
-  append->MergePointsOn(); // by their ids alone
+  append->MergePointsOn(); // points are merged by their ids only
   for (vtkDataObject* piece : pieces)
   {
     auto* grid = vtkUnstructuredGrid::SafeDownCast(piece);

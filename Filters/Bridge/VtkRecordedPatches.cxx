@@ -49,7 +49,7 @@ RecordedFace recordOf(const VtkPatches& patches, std::size_t f, int cells)
   return record;
 }
 
-/// Appends a face; false where it holds what is no id.
+/// Appends a face. Returns false if it holds an invalid id.
 bool appendRecord(vtkDataArray* faces, vtkIdType f, const Arrays& arrays, VtkPatches& out)
 {
   std::array<double, 6> record;

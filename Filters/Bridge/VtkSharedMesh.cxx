@@ -29,12 +29,12 @@ namespace atria {
 
 namespace {
 
-/// A face of a patch or a face zone, by numbers of the whole mesh. All ranks see all of them: 36 bytes each.
+/// A face of a patch or a face zone, with the numbers of the whole mesh. All ranks hold all of them: 36 bytes each.
 struct SharedFace
 {
   Index patch;
   Index owner;
-  Index neighbor; ///< of a face zone; else noIndex
+  Index neighbor; ///< for faces of a face zone; else noIndex
   std::array<Index, 4> points;
   std::uint32_t count;
   int rank;
@@ -51,7 +51,7 @@ void addGhosts(vtkDataSetAttributes* data, const std::vector<char>& isGhost, uns
   data->AddArray(ghosts);
 }
 
-/// A point is that of the first rank that has an element at it.
+/// Marks ghost points. A point belongs to the first rank that has an element at it.
 std::vector<char> findGhostPoints(const SharedPiece& piece, int rank)
 {
   std::vector<int> first(piece.mesh.points.size(), rank);
@@ -116,7 +116,8 @@ std::vector<SharedFace> facesOf(vtkPartitionedDataSetCollection* patches, int ra
   return faces;
 }
 
-/// Those of all ranks, in the order of one process: by elements, and those of an element as its rank has them.
+/// Gathers the faces of all ranks in the order of one process: sorted by patch and element, those of an element as its
+/// rank has them.
 std::vector<SharedFace> gatherFaces(const std::vector<SharedFace>& own, RankExchange& exchange)
 {
   std::vector<SharedFace> all;
@@ -209,7 +210,7 @@ void sharedMeshToVtk(SharedModel& model, RankExchange& exchange, const Executor&
   patchesToVtk(piece.mesh, meshed.metSides, meshed.names, meshed.kinds, meshed.layers, patches,
                NumbersOfAll{piece.elementNumbers, piece.pointNumbers});
   piece = {};
-  giveBackFreedMemory(); // filters that follow would have it beside the outputs
+  giveBackFreedMemory(); // otherwise it would still be held while later filters run
   const std::vector<SharedFace> faces = gatherFaces(facesOf(patches, exchange.rank()), exchange);
   numberPatches(faces, exchange.rank(), patches);
   recordFaces(faces, patches, volume);

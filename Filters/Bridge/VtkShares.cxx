@@ -28,7 +28,7 @@ namespace {
 
 constexpr std::size_t grain = 65536;
 
-/// Adds global ids unless there are some. `ids` are numbers in the whole.
+/// Adds global ids unless there are some. `ids` are numbers in the whole mesh.
 void addGlobalIds(vtkDataSetAttributes* data, const char* name, std::span<const vtkIdType> ids)
 {
   if (!data->GetGlobalIds() && !data->HasArray(name))
@@ -48,7 +48,7 @@ void addGhostArray(vtkDataSetAttributes* data, const VtkIds& ids, unsigned char 
   data->AddArray(ghosts);
 }
 
-/// Faces of a patch whose owners are a rank's own cells.
+/// Returns the faces of a patch whose owners are a rank's own cells.
 VtkIds facesOf(vtkPolyData* patch, std::span<const Index> rankOf, std::size_t rank)
 {
   vtkDataArray* owners = patch->GetCellData()->GetArray("OwnerCellId");
@@ -65,7 +65,7 @@ VtkIds facesOf(vtkPolyData* patch, std::span<const Index> rankOf, std::size_t ra
   return faces;
 }
 
-/// Those of the faces, in rising order.
+/// Returns the points of the faces, in rising order.
 VtkIds pointsOf(vtkPolyData* patch, const VtkIds& faces)
 {
   std::vector<char> isUsed(static_cast<std::size_t>(patch->GetNumberOfPoints()), 0);
@@ -189,7 +189,7 @@ std::vector<Index> MeshShares::cellsOf(std::size_t rank, std::vector<char>& hasP
 {
   std::vector<Index> taken = own[rank];
   std::vector<char> isTaken(rankOf.size(), 0);
-  std::size_t last = 0; // those before have marked their points
+  std::size_t last = 0; // cells before it have marked their points
   const auto mark = [&] {
     for (; last < taken.size(); ++last)
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A mesh and its patches divided among ranks.
+/// Divides a mesh and its patches among ranks.
 #pragma once
 
 #include "Support/Executor.h"
@@ -15,25 +15,25 @@ class vtkUnstructuredGrid;
 
 namespace atria {
 
-/// The rank of each cell: ranges of equal length, within one cell, along the Morton order of the cells.
+/// Returns the rank of each cell: ranges along the Morton order of the cells, equal in length to within one cell.
 std::vector<Index> divideCells(vtkUnstructuredGrid* whole, std::size_t ranks, const Executor& executor);
 
-/// Makes the pieces of all ranks, one after the other, so that no two of them need be there at once.
+/// Makes the pieces of all ranks one after the other, so that only one needs to exist at a time.
 class MeshShares
 {
 public:
   /// `rankOfCells` has an entry for each cell of `mesh`, which must outlive this, unchanged.
   MeshShares(vtkUnstructuredGrid* mesh, std::vector<Index> rankOfCells, std::size_t ranks, int ghostLevels);
 
-  /// The rank's cells and, around them, rings of cells that share a point with those before, one a ghost level. Cells
-  /// and points keep their order. Their numbers in the whole are their global ids (GlobalCellIds, GlobalPointIds),
-  /// where it has none. What is another rank's is marked in vtkGhostType; a point is that of the first rank that has a
-  /// cell at it. Field data is the whole's.
+  /// Returns the rank's cells and rings of cells around them that share a point with the cells before, one ring per
+  /// ghost level. Cells and points keep their order. Their numbers in the whole mesh become global ids (GlobalCellIds,
+  /// GlobalPointIds) if it has none. vtkGhostType marks cells and points of other ranks; a point belongs to the first
+  /// rank that has a cell at it. Field data is that of the whole mesh.
   vtkSmartPointer<vtkUnstructuredGrid> mesh(std::size_t rank);
 
-  /// All patches of the mesh, with those of their faces whose owners are the rank's own cells; what has no owners is
-  /// the first rank's. Ids of cells and points in their arrays stay those of the whole. Faces and points have global
-  /// ids, which go on from patch to patch.
+  /// Returns all patches of the mesh, each with the faces whose owners are the rank's own cells; faces without owners
+  /// belong to the first rank. Cell and point ids in their arrays stay those of the whole mesh. Faces and points have
+  /// global ids, which continue from patch to patch.
   vtkSmartPointer<vtkPartitionedDataSetCollection> patches(vtkPartitionedDataSetCollection* all,
                                                            std::size_t rank) const;
 
@@ -48,7 +48,7 @@ private:
   std::vector<Index> rankOf;
   int levels;
   std::vector<Index> rankOfPoint;
-  std::vector<std::vector<Index>> own; ///< by rank, in rising order
+  std::vector<std::vector<Index>> own; ///< one list per rank, in rising order
   std::vector<Index> atBorders;        ///< cells with a point that has cells of other ranks
   VtkIds newPoint;
 };

@@ -104,7 +104,7 @@ void GridBuilder::add(vtkUnstructuredGrid* from, vtkIdType cell, std::span<const
   {
     return;
   }
-  // The number of faces, and for each its number of points and they.
+  // The stream holds the number of faces, then for each face the number of its points and the points.
   from->GetFaceStream(cell, faceStream);
   const vtkIdType* next = faceStream->GetPointer(0);
   faceCounts.push_back(*next++);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Parts of VTK's data objects, cell by cell and point by point, and such parts put together again.
+/// Extracts parts of VTK's data objects, cell by cell and point by point, and builds grids from cells.
 #pragma once
 
 #include "VtkVersions.h"
@@ -24,16 +24,16 @@ namespace atria {
 
 using VtkIds = std::vector<vtkIdType>;
 
-/// The name is null for arrays that need none.
+/// Returns an array of ids. `name` is null for arrays that need none.
 vtkSmartPointer<vtkIdTypeArray> idArray(const char* name, std::span<const vtkIdType> ids);
 
-/// Adds what `from` has for `ids`, in their order, and makes attributes what they are there.
+/// Copies the tuples `ids` of all arrays of `from`, in that order, and sets the same attributes.
 void takeTuples(vtkDataSetAttributes* from, const VtkIds& ids, vtkDataSetAttributes* to);
 
-/// Of the same precision.
+/// Copies points, in the same precision.
 vtkSmartPointer<vtkPoints> takePoints(vtkPoints* from, const VtkIds& ids);
 
-/// Makes cells one after the other, with new numbers for points.
+/// Builds cells one after the other, with new numbers for points.
 class GridBuilder
 {
 public:
@@ -50,20 +50,20 @@ private:
   std::vector<unsigned char> types;
   VtkIds offsets{0};
   VtkIds connectivity;
-  /// Of polyhedra, one after the other: per cell how many, per face how many points, and these.
+  /// Polyhedra, one after the other: number of faces per cell, number of points per face, and these points.
   VtkIds faceCounts;
   VtkIds faceSizes;
   VtkIds facePoints;
 };
 
-/// A grid without its ghost and hidden cells, and without points that these alone have; itself if it has none.
-/// VTK 9.1's RemoveGhostCells takes the points of polyhedra for their faces.
+/// Returns a grid without its ghost and hidden cells, and without points that only these have; the grid itself if it
+/// has none. VTK 9.1's RemoveGhostCells confuses the points of polyhedra with their faces.
 vtkSmartPointer<vtkUnstructuredGrid> withoutGhostCells(vtkUnstructuredGrid* grid);
 
-/// Whether cells have ids of 32 bits.
+/// True if the cells have 32-bit ids.
 bool isNarrow(vtkCellArray* cells);
 
-/// Cells of the points given, with 32-bit numbers if `narrow` and they suffice.
+/// Returns cells with the given points, with 32-bit numbers if `narrow` and they suffice.
 vtkSmartPointer<vtkCellArray> cellArray(const VtkIds& offsets, const VtkIds& connectivity, bool narrow);
 
 } // namespace atria

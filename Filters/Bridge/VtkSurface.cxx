@@ -28,7 +28,7 @@ namespace atria {
 
 namespace {
 
-/// Names as they are found, and the number of each.
+/// Names in the order in which they are found, and the number of each.
 class SurfaceNames
 {
 public:
@@ -50,7 +50,7 @@ public:
     }
   }
 
-  /// The surface of each cell.
+  /// Returns the surface of each cell.
   std::vector<Index> idsOf(vtkPolyData* data, const std::string& blockName)
   {
     vtkDataArray* ids = data->GetCellData()->GetArray("SurfaceId");
@@ -209,16 +209,17 @@ private:
 
   VtkSurface& out;
   Index base = 0;
-  Index face = 0; ///< of the triangles that come next
+  Index face = 0; ///< face id of the next triangles
   SurfaceNames names;
 };
 
-/// Calls `visit(data, name)` for every leaf of the object, with its own name or that of what it is in.
+/// Calls `visit(data, name)` for every leaf of the object, with its own name or that of the block around it.
 template <class Visitor> void visitLeaves(vtkDataObject* object, const std::string& name, const Visitor& visit)
 {
   if (auto* tree = vtkDataObjectTree::SafeDownCast(object))
   {
-    // One level: blocks that hold blocks are taken as wholes, so that what has no name gets that of what it is in.
+    // Visits one level: blocks that hold blocks are visited as a whole, so that unnamed blocks get the name of the
+    // block around them.
     vtkSmartPointer<vtkDataObjectTreeIterator> it;
     it.TakeReference(tree->NewTreeIterator());
     it->VisitOnlyLeavesOff();

@@ -18,7 +18,7 @@ namespace atria {
 
 namespace {
 
-/// Takes an array of `count` ids among `owned`, and returns where they stand.
+/// Adds an array of `count` ids to `owned`. Returns a pointer to its values.
 vtkIdType* makeIds(vtkIdType count, std::vector<vtkSmartPointer<vtkDataArray>>& owned)
 {
   const auto array = vtkSmartPointer<vtkIdTypeArray>::New();
@@ -59,7 +59,7 @@ std::vector<vtkDataArray*> faceArraysOf(vtkUnstructuredGrid* grid)
 
 void setCells(vtkUnstructuredGrid* grid, vtkDataArray* types, vtkCellArray* cells, std::span<vtkDataArray* const> faces)
 {
-  // Up to VTK 9.5 types are vtkUnsignedCharArray.
+  // Types are a vtkUnsignedCharArray up to VTK 9.5.
   constexpr bool takesAnyTypes = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0);
   auto* const given = static_cast<std::conditional_t<takesAnyTypes, vtkDataArray, vtkUnsignedCharArray>*>(types);
   vtkSmartPointer<vtkCellArray> lists[2];
@@ -86,7 +86,7 @@ FaceLists::FaceLists(vtkIdType cellCount, const FaceSizes& all)
     }
     values_[0][cellCount] = all.faces;
     values_[2][all.faces] = all.points;
-    std::iota(values_[1], values_[1] + all.faces, vtkIdType{0}); // each face is of one cell
+    std::iota(values_[1], values_[1] + all.faces, vtkIdType{0}); // each face belongs to one cell
   }
 }
 
@@ -123,7 +123,7 @@ PolyhedronFaces facesIn(std::span<const IdView> faces) { return PolyhedronFaces:
 
 namespace {
 
-/// Each polyhedron and each face begins with a number.
+/// Each polyhedron and each face starts with a count.
 vtkIdType inStream(const FaceSizes& sizes) { return sizes.cells + sizes.faces + sizes.points; }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What differs between the versions of VTK, from 9.1 on. Nothing else asks for the version.
+/// Differences between the versions of VTK, from 9.1 on. No other code asks for the version.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -22,28 +22,28 @@ namespace atria {
 class IdView;
 class PolyhedronFaces;
 
-/// The types of a grid's cells, which need not stand in memory one by one; null without cells.
+/// Returns the types of a grid's cells, which need not be contiguous in memory; null without cells.
 vtkDataArray* cellTypesOf(vtkUnstructuredGrid* grid);
 
-/// The arrays in which a grid keeps the faces of its polyhedra, or nulls, in the order of setCells().
+/// Returns the arrays in which a grid keeps the faces of its polyhedra, or nulls, in the order of setCells().
 std::vector<vtkDataArray*> faceArraysOf(vtkUnstructuredGrid* grid);
 
-/// How many arrays these are.
+/// Number of these arrays.
 constexpr std::size_t faceArrayCount = ATRIA_VTK_HAS_FACE_LISTS ? 4 : 2;
 
-/// Gives a grid cells of the types given, and faces to its polyhedra; these are nulls where it has none.
+/// Sets a grid's cells, their types and the faces of its polyhedra; `faces` are nulls if it has none.
 void setCells(vtkUnstructuredGrid* grid, vtkDataArray* types, vtkCellArray* cells,
               std::span<vtkDataArray* const> faces);
 
-/// The faces in views of these arrays; see Quality/Faces/CellArrays.h.
+/// Returns the faces in views of these arrays; see Quality/Faces/CellArrays.h.
 PolyhedronFaces facesIn(std::span<const IdView> faces);
 
-/// How much polyhedra need.
+/// Number of entries that polyhedra need.
 struct FaceSizes
 {
   vtkIdType cells = 0; ///< polyhedra
   vtkIdType faces = 0;
-  vtkIdType points = 0; ///< of the faces
+  vtkIdType points = 0; ///< points of the faces
 
   FaceSizes operator+(const FaceSizes& other) const
   {
@@ -51,19 +51,20 @@ struct FaceSizes
   }
 };
 
-/// Faces of polyhedra in the making, written straight into the arrays of a grid. Cells may be written in any order, and
-/// by any number of threads; each knows the sizes of those before it. Without polyhedra there are no arrays.
+/// Writes faces of polyhedra directly into the arrays of a grid. Cells may be written in any order and by any number of
+/// threads; the caller gives the sizes of all cells before. Without polyhedra there are no arrays.
 class FaceLists
 {
 public:
   FaceLists(vtkIdType cellCount, const FaceSizes& all);
 
-  /// A cell without faces of its own.
+  /// Writes a cell without faces of its own.
   void skip(vtkIdType cell, const FaceSizes& before);
-  /// A polyhedron of `count` faces, which addFace() has to give next.
+  /// Starts a polyhedron of `count` faces, which addFace() must add next.
   void begin(vtkIdType cell, const FaceSizes& before, vtkIdType count);
 
-  /// A face of a polyhedron; `before` counts all faces before it, and its own cell as one before. Adds itself.
+  /// Adds a face of a polyhedron. `before` counts all faces before it, and includes its own cell. The face is added to
+  /// it.
   template <typename Point> void addFace(FaceSizes& before, std::span<const Point> points)
   {
     vtkIdType* to = place(before, static_cast<vtkIdType>(points.size()));
@@ -75,23 +76,23 @@ public:
     before.points += static_cast<vtkIdType>(points.size());
   }
 
-  /// Nulls without polyhedra.
+  /// Returns the arrays; nulls without polyhedra.
   std::vector<vtkDataArray*> arrays() const;
 
 private:
-  /// Where the points of the next face stand.
+  /// Returns the place for the points of the next face.
   vtkIdType* place(const FaceSizes& before, vtkIdType count);
 
   std::vector<vtkSmartPointer<vtkDataArray>> owned_;
   std::vector<vtkIdType*> values_;
 };
 
-/// Whether someone asked an algorithm to stop.
+/// True if an algorithm was asked to stop.
 bool isAskedToStop(vtkAlgorithm& algorithm);
 
 } // namespace atria
 
-/// Has a subclass of vtkWriter write by `write()`, which sets the writer's error code.
+/// Makes a subclass of vtkWriter write by `write()`, which sets the writer's error code.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
 #define ATRIA_WRITE_BY(write)                                                                                          \
   bool WriteDataAndReturn() override                                                                                   \

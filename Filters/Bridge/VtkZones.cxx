@@ -21,7 +21,7 @@ namespace atria {
 
 namespace {
 
-/// By ZoneKind.
+/// One name per ZoneKind.
 constexpr std::array<const char*, 6> zoneKindNames{"open", "room", "solid", "narrow", "beyond", "ground"};
 
 std::string nameOf(Index surface, const std::vector<std::string>& names)
@@ -36,7 +36,7 @@ std::vector<std::string> namesOf(const std::vector<Index>& surfaces, const std::
   return out;
 }
 
-/// Without the digits that rounding leaves.
+/// Returns the text of a point, without digits left by rounding.
 std::string at(const Vec3& p)
 {
   const auto plain = [](double x) { return std::abs(x) < 1e-9 ? 0.0 : x; };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Macro for properties with a range.
 /**
- * Properties that have a range. VTK's vtkSetClampMacro makes a size of -5 the smallest that there is, and lets what is
- * no number pass: the run then does something else than was asked for, and nobody is told. So values are kept as they
- * are given, and a run with one outside of its range is an error that names it (see PropertyRange.h).
+ * Properties that have a range. VTK's vtkSetClampMacro turns a size of -5 into the smallest allowed one, and accepts
+ * values that are no numbers: the run then silently differs from the request. These macros keep values as they are
+ * given; a run with a value outside its range is an error that names the property (see PropertyRange.h).
  */
 #ifndef vtkAtriaRangeMacros_h
 #define vtkAtriaRangeMacros_h
@@ -10,7 +11,7 @@
 #include "vtkSetGet.h"
 
 /**
- * Set##name, and the range as Get##name##MinValue and Get##name##MaxValue.
+ * Declares Set##name, and the range as Get##name##MinValue and Get##name##MaxValue.
  */
 #define vtkAtriaSetInRangeMacro(name, type, least, most)                                                               \
   vtkSetMacro(name, type);                                                                                             \

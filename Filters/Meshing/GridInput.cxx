@@ -27,7 +27,7 @@ namespace atria {
 
 namespace {
 
-/// Bytes that meshing may take: those of the filter's MemoryLimit, or what the machine allows.
+/// Returns the memory that meshing may take, in bytes: the filter's MemoryLimit, or what the machine allows.
 std::size_t memoryLimitOf(vtkAtriaGridAlgorithm& filter)
 {
   const double bytes = 1e9 * filter.GetMemoryLimit();
@@ -199,7 +199,7 @@ TriangleSurface readSurfaces(vtkDataObject* data, std::vector<std::string>& warn
 
 namespace {
 
-/// Each with a zero behind it.
+/// Joins names, each followed by a zero byte.
 std::string joined(const std::vector<std::string>& names)
 {
   std::string text;
@@ -226,7 +226,7 @@ SharedSurfaces readSurfacesOnRanks(vtkDataObject* own, vtkMultiProcessController
 {
   const vtkSmartPointer<vtkDataObject> whole = gatherWhole(own, controller);
   SharedSurfaces out{{}, {}, modelOffsetOf(whole), {}};
-  Bytes told; // by the first rank
+  Bytes told; // filled by the first rank only
   if (exchange.rank() == 0)
   {
     out.surface = readSurfaces(whole, out.warnings);

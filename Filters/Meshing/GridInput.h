@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the filters of a model's grid have in common: from properties and input data to the core's structures.
+/// Converts the properties and input data of filters of a model's grid to structures of the core.
 #pragma once
 
 #include "Mesher/ModelOptions.h"
@@ -14,21 +14,20 @@ class vtkMultiProcessController;
 
 namespace atria {
 
-/// The properties of the filter, and what surfaces the data say is ground. Sizes of 0 are to be completed. Throws Error
-/// for rules that are none.
+/// Returns the filter's properties and the surfaces that the data mark as ground. Sizes of 0 must still be completed.
+/// Throws Error for invalid rules.
 ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter, vtkDataObject* surfaces);
 
-/// The same, with sizes that follow from the model in place of those that are 0; see completeSizes in
-/// Mesher/SuggestedSizes.h.
+/// The same, with sizes from the model in place of sizes of 0; see completeSizes in Mesher/SuggestedSizes.h.
 ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter, vtkDataObject* surfaces, const TriangleSurface& surface);
 
-/// Runs `work` on the data of input port 0, up to date, or null without a connection: on the rank that has it all, see
-/// Ranks.h. What `work` throws is an error of the filter. Returns whether it was done, and gives all ranks `values` as
-/// `work` left them.
+/// Runs `work` on the updated data of input port 0, or null without a connection, on the rank that has all of it; see
+/// Ranks.h. Exceptions of `work` become errors of the filter. Returns true if the work was done. All ranks get `values`
+/// as `work` set them.
 bool onCurrentInput(vtkAtriaGridAlgorithm& filter, std::span<double> values,
                     const std::function<void(vtkDataObject*)>& work);
 
-/// `data` may be null: a domain without surfaces. Adds what a user should know of it.
+/// Reads surfaces. `data` may be null: a domain without surfaces. Adds warnings for the user.
 TriangleSurface readSurfaces(vtkDataObject* data, std::vector<std::string>& warnings);
 
 struct SharedSurfaces
@@ -36,17 +35,18 @@ struct SharedSurfaces
   TriangleSurface surface;
   /// Names of surfaces that are ground.
   std::vector<std::string> grounds;
-  /// What a reader subtracted from its points, model units.
+  /// Offset that a reader subtracted from its points, model units.
   Vec3 offset;
-  /// What a user should know of it, on the first rank.
+  /// Warnings for the user, on the first rank.
   std::vector<std::string> warnings;
 };
 
-/// The surfaces that ranks have together, on all of them, which call it at the same time, right after an exchange.
+/// Returns the surfaces of all ranks, on all of them. All ranks call it at the same time, right after an exchange.
 /// Throws as readSurfaces().
 SharedSurfaces readSurfacesOnRanks(vtkDataObject* own, vtkMultiProcessController& controller, RankExchange& exchange);
 
-/// What a reader subtracted from the model's points, so that writers can add it again; zero where nothing is said.
+/// Returns the offset that a reader subtracted from the model's points, so that writers can add it again; zero if the
+/// data have none.
 Vec3 modelOffsetOf(vtkDataObject* surfaces);
 
 void addTo(std::vector<std::string>& warnings, const std::vector<std::string>& more);

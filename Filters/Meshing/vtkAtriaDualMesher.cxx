@@ -60,7 +60,7 @@ std::vector<atria::Vec3> toCore(const Points& points)
   return out;
 }
 
-/// What is of the whole mesh, beside cells and patches.
+/// Adds field arrays of the whole mesh.
 void addFields(const atria::MeshedModel& result, const atria::Vec3& offset, vtkUnstructuredGrid* volume)
 {
   vtkFieldData* data = volume->GetFieldData();
@@ -68,7 +68,7 @@ void addFields(const atria::MeshedModel& result, const atria::Vec3& offset, vtkU
   atria::addArray<vtkDoubleArray>(data, "ModelOffset", 3)->InsertNextTuple(offset.data());
 }
 
-/// Warns, too. `warnings` are those of the input.
+/// Adds diagnostics, and warns. `warnings` are those of the input.
 void reportTo(vtkPolyData* diagnostics, const atria::MeshedModel& result, std::vector<std::string> warnings,
               vtkAtriaDualMesher& filter)
 {
@@ -84,7 +84,7 @@ void reportTo(vtkPolyData* diagnostics, const atria::MeshedModel& result, std::v
   atria::roomsToVtk(result.rooms, result.names, diagnostics->GetFieldData());
 }
 
-/// What holds for all surfaces, then the rules.
+/// Returns the layers for all surfaces, then the rules.
 std::vector<atria::LayerRule> layerRulesOf(vtkAtriaDualMesher& filter)
 {
   const atria::WallLayers all{filter.GetNumberOfLayers(), filter.GetFirstLayerHeight(), filter.GetLayerGrowth()};
@@ -96,7 +96,7 @@ std::vector<atria::LayerRule> layerRulesOf(vtkAtriaDualMesher& filter)
   return rules;
 }
 
-/// Sizes of 0 are to be completed.
+/// Returns the options of the filter. Sizes of 0 must still be completed.
 atria::MesherOptions mesherOptionsOf(vtkAtriaDualMesher& filter, vtkDataObject* surfaces, const Points& seeds,
                                      const Points& sealedSeeds)
 {
@@ -370,7 +370,7 @@ std::optional<int> vtkAtriaDualMesher::RequestDataOnRanks(vtkMultiProcessControl
       *this, outputs, controller, [&](atria::RankExchange& ranks, const atria::RunContext& context) {
         this->CheckProperties();
         atria::MesherOptions options = mesherOptionsOf(*this, nullptr, this->SeedPoints, this->SealedSeedPoints);
-        // Machines of ranks may have less or more. It also tells all of errors up to here.
+        // Machines of ranks may have different limits. The exchange also reports earlier errors to all ranks.
         options.sizing.memoryLimit = atria::gatherAll(ranks, options.sizing.memoryLimit).front();
         const atria::SharedSurfaces input =
             atria::readSurfacesOnRanks(vtkDataObject::GetData(inputs[0]), controller, ranks);
@@ -392,7 +392,7 @@ std::optional<int> vtkAtriaDualMesher::RequestDataOnRanks(vtkMultiProcessControl
         {
           if (!this->DistributeOutput)
           {
-            ranks.gather({}); // none has failed
+            ranks.gather({}); // ensures that no rank has failed
             atria::moveToRoot(output, controller);
           }
         }

@@ -42,8 +42,8 @@ int vtkAtriaFeatureGraph::RequestData(vtkInformation*, vtkInformationVector** in
   return atria::runFilter(*this, outputs, "", [&](const atria::RunContext& context) {
     const atria::ProgressRange& range = context.progress;
     range.report(0.0, "Reading surfaces");
-    // Not checked: features are those of the model wherever the domain is.
-    std::vector<std::string> warnings; // not shown: the mesher tells them
+    // The domain is not checked: features do not depend on it.
+    std::vector<std::string> warnings; // not shown: the mesher reports them
     const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
     const atria::ModelOptions options = atria::modelOptionsOf(*this, vtkDataObject::GetData(inputs[0]), surface);
     const atria::PlacedModel placed = atria::placeModel(surface, options);

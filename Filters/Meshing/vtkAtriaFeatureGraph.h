@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Filter that extracts the feature curves and corners that a mesh has to keep.
 /**
  * @class   vtkAtriaFeatureGraph
- * @brief   curves and corners of surfaces that a mesh is to keep
+ * @brief   curves and corners of surfaces that a mesh has to keep
  *
  * Takes surfaces through the first stage of the mesher and shows what it then sees: points welded, degenerate and
  * repeated triangles dropped, coordinates near the domain's sides put on them. Curves are boundary edges, creases
  * sharper than FeatureAngle, junctions of three triangles and more, and borders between named surfaces; corners are
- * points where curves end, meet or turn sharply. Edges of the domain box are none, as a mesh has them anyway. Sizes and
- * domain matter only through the exactness with which points are taken for one, and through the domain's sides.
+ * points where curves end, meet or turn sharply. Edges of the domain box are no curves, as a mesh has them anyway.
+ * Sizes and domain matter only for the tolerance at which points are merged, and for the domain's sides.
  *
  * Input port 0: surfaces; see vtkAtriaGridAlgorithm.
  *

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Base class of the filters that make a grid around surfaces.
 /**
  * @class   vtkAtriaGridAlgorithm
  * @brief   sizes, domain and features, common to the feature graph, the octree source and the dual mesher
@@ -8,7 +9,7 @@
  * `SurfaceId` and the field array `SurfaceName`, as vtkAtriaVRMLReader writes them. Surfaces that the field array
  * `IsGround` marks, by SurfaceId, are ground without being named.
  *
- * A property outside of its range, or that is no number, is an error of the run that names it.
+ * A property outside its range, or that is no number, is an error of the run that names the property.
  */
 #ifndef vtkAtriaGridAlgorithm_h
 #define vtkAtriaGridAlgorithm_h
@@ -35,9 +36,9 @@ public:
 
   ///@{
   /**
-   * Edge length of the largest octants, those in the open. The level whose octants come closest to it is taken. With 0
-   * it follows from the domain: four times SizeMid, or more so that the domain takes some fifty thousand octants at
-   * most, or a twentieth of MaxElements where that is less. Default 8; at least 0.
+   * Edge length of the largest octants, away from surfaces. The level with the closest octant size is used. With 0 it
+   * follows from the domain: four times SizeMid, or more if the domain would otherwise take more than some fifty
+   * thousand octants, or than a twentieth of MaxElements if that is less. Default 8; at least 0.
    */
   vtkAtriaSetInRangeMacro(SizeMax, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SizeMax, double);
@@ -46,8 +47,8 @@ public:
   ///@{
   /**
    * Edge length of octants that a surface passes through. With 0 it follows: twice SizeMin, or a quarter of SizeMax,
-   * or, where these are 0 too, from the model, whose surfaces take some fifty thousand octants, or a twentieth of
-   * MaxElements where that is less. Default 2; at least 0.
+   * or, if these are 0 too, a size from the model, at which its surfaces take some fifty thousand octants, or a
+   * twentieth of MaxElements if that is less. Default 2; at least 0.
    */
   vtkAtriaSetInRangeMacro(SizeMid, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SizeMid, double);
@@ -56,7 +57,7 @@ public:
   ///@{
   /**
    * Edge length of octants with a feature curve, a corner, or surfaces that do not meet inside them, and the grid's
-   * unit: the finest octants unless a rule below asks for finer ones. With 0 it is half of SizeMid. Default 1; at least
+   * unit: the finest octants unless a rule below requests finer ones. With 0 it is half of SizeMid. Default 1; at least
    * 0.
    */
   vtkAtriaSetInRangeMacro(SizeMin, double, 0.0, VTK_DOUBLE_MAX);
@@ -65,9 +66,9 @@ public:
 
   ///@{
   /**
-   * CompleteSizes sets the sizes that are 0 to those that follow from the others, the model and the domain, which is to
-   * be set before; a run with sizes of 0 takes the same. SuggestSizes does so with all three sizes, whatever they are.
-   * Both bring the input up to date. False, with an error, where the model has no area or there is no domain.
+   * CompleteSizes sets sizes of 0 to values that follow from the other sizes, the model and the domain, which must be
+   * set before; a run with sizes of 0 uses the same values. SuggestSizes does so for all three sizes, whatever they
+   * are. Both update the input. They return false, with an error, if the model has no area or there is no domain.
    */
   bool CompleteSizes();
   bool SuggestSizes();
@@ -95,11 +96,11 @@ public:
   /**
    * Sizes at the surfaces whose name matches `pattern` (`*` any text, `?` any one character): octants that touch them
    * are at most `size` large, those with their feature curves and corners, or where they come close to others, at most
-   * `featureSize` (default: SizeMin, or `size` where that is finer). They take the place of SizeMid and SizeMin there.
-   * Octants have a size of SizeMin * 2^j: the largest of these that is not above the size asked for is taken. Of
-   * several rules for a surface the finest holds. AddSurfaceSizeRule takes a rule as text, `PATTERN SIZE
-   * [FEATURESIZE]`, the pattern in double quotes where it holds blanks; GetSurfaceSizeRule gives it so. A pattern that
-   * matches no surface, or a size that is not positive, is an error of the run. None by default.
+   * `featureSize` (default: SizeMin, or `size` if that is finer). They replace SizeMid and SizeMin there. Octants have
+   * a size of SizeMin * 2^j: the largest of these that is not above the requested size is used. The finest of several
+   * rules for a surface holds. AddSurfaceSizeRule takes a rule as text, `PATTERN SIZE [FEATURESIZE]`, the pattern in
+   * double quotes if it holds blanks; GetSurfaceSizeRule returns this form. A pattern that matches no surface, or a
+   * size that is not positive, is an error of the run. None by default.
    */
   void AddSurfaceSizeRule(const std::string& pattern, double size);
   void AddSurfaceSizeRule(const std::string& pattern, double size, double featureSize);
@@ -145,8 +146,8 @@ public:
   ///@{
   /**
    * Octants across the space between two surfaces that face each other, down to the size of their features at most.
-   * Walls count as well as passages, as it is not known yet which of them is fluid. Default 0: gaps are not looked for;
-   * from 0 to 64.
+   * Walls count as well as passages, as it is not known yet which of them is fluid. Default 0: gaps are not searched
+   * for; from 0 to 64.
    */
   vtkAtriaSetInRangeMacro(CellsAcrossGap, int, 0, 64);
   vtkGetMacro(CellsAcrossGap, int);
@@ -163,9 +164,9 @@ public:
 
   ///@{
   /**
-   * Where the mesh would have more elements (those of all zones counted, those of layers not), coarser sizes are taken:
-   * first a larger SizeMax, then fewer CellsPerLevel, then coarser boxes, distances and gaps away from surfaces, then
-   * coarser surfaces, and features last. A warning names the sizes that were taken. Default 0: no limit; at least 0.
+   * Limit of the number of elements (all zones counted, layers not). Above it, coarser sizes are used: first a larger
+   * SizeMax, then fewer CellsPerLevel, then coarser boxes, distances and gaps away from surfaces, then coarser
+   * surfaces, and features last. A warning names the sizes that were used. Default 0: no limit; at least 0.
    */
   vtkAtriaSetInRangeMacro(MaxElements, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaxElements, int);
@@ -174,8 +175,8 @@ public:
   ///@{
   /**
    * Gigabytes of memory (10^9 bytes) that meshing may take. Sizes that need more are refused while octants are sized,
-   * before the memory is gone, with the sizes that would do. About 700 bytes an element are counted, those of all zones
-   * and without layers. Default 0: what the machine, its container and the shell's ulimit allow; at least 0.
+   * before memory runs out; the error names sizes that fit. About 700 bytes per element are counted, for all zones and
+   * without layers. Default 0: what the machine, its container and the shell's ulimit allow; at least 0.
    */
   vtkAtriaSetInRangeMacro(MemoryLimit, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MemoryLimit, double);
@@ -183,8 +184,9 @@ public:
 
   ///@{
   /**
-   * Points closer than this to another point, an edge or a face that they are not connected with are moved onto it,
-   * so that parts that nearly touch do. 0 closes no gap; a negative value means 0.05 times SizeMin. Default -1.
+   * Points closer than this to another point, an edge or a face that they are not connected with are moved onto it, so
+   * that parts that nearly touch become connected. 0 closes no gap; a negative value means 0.05 times SizeMin. Default
+   * -1.
    */
   vtkAtriaSetInRangeMacro(GapTolerance, double, VTK_DOUBLE_MIN, VTK_DOUBLE_MAX);
   vtkGetMacro(GapTolerance, double);
@@ -192,10 +194,9 @@ public:
 
   ///@{
   /**
-   * Connected parts of the model with a bounding box of a shorter diagonal than this many octants of SizeMin (or of the
-   * smaller size that is asked for there) are left out, as they could not be seen in the mesh. Parts close to each
-   * other count as one, and those that may close a hole stay; so do surfaces that size rules name. 0 leaves out none.
-   * Default 1.
+   * Connected parts of the model are omitted if the diagonal of their bounding box is shorter than this many octants of
+   * SizeMin (or of the smaller size requested there), as they could not be seen in the mesh. Parts close to each other
+   * count as one. Parts that may close a hole stay; so do surfaces that size rules name. 0 omits none. Default 1.
    */
   vtkAtriaSetInRangeMacro(SmallPartSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SmallPartSize, double);
@@ -203,10 +204,10 @@ public:
 
   ///@{
   /**
-   * Patterns of the names of surfaces one can look through, such as panes of open windows, screens and planes to
-   * measure at (`*` any text, `?` any one character). The mesh conforms to them as to others, but they separate nothing
-   * and get no layers: their faces are within the mesh, and make a face zone of the surface's name. A pattern that
-   * matches no surface is an error of the run. None by default.
+   * Name patterns of permeable surfaces, such as panes of open windows, screens and measuring planes (`*` any text, `?`
+   * any one character). The mesh conforms to them as to others, but they separate nothing and get no layers: their
+   * faces are inside the mesh and form a face zone with the surface's name. A pattern that matches no surface is an
+   * error of the run. None by default.
    */
   void AddFaceZone(const char* pattern);
   int GetNumberOfFaceZones();
@@ -216,10 +217,10 @@ public:
 
   ///@{
   /**
-   * Whether windows, doors, hatches and gaps between walls are found by rule. Each is a face zone
-   * `<Surface>_opening_<n>`, and they part rooms. What is open in a plane wall and closed all round, by ends of walls
-   * and by what passes through the plane, such as floors, is an opening if it is no narrower than 0.9 times SizeMin.
-   * Default off.
+   * If on, windows, doors, hatches and gaps between walls are found by rule. Each becomes a face zone
+   * `<Surface>_opening_<n>`, and they separate rooms. An opening is a hole in a plane wall that is closed all around,
+   * by ends of walls and by parts that pass through the plane, such as floors, and is no narrower than 0.9 times
+   * SizeMin. Default off.
    */
   vtkSetMacro(FindOpenings, bool);
   vtkGetMacro(FindOpenings, bool);
@@ -228,7 +229,7 @@ public:
 
   ///@{
   /**
-   * Patterns of the names of surfaces in which no openings are found, such as furniture. A pattern that matches no
+   * Name patterns of surfaces in which no openings are searched for, such as furniture. A pattern that matches no
    * surface is an error of the run. None by default.
    */
   void AddSurfaceWithoutOpenings(const char* pattern);
@@ -239,9 +240,9 @@ public:
 
   ///@{
   /**
-   * Patterns of the names of closed surfaces that enclose a cell zone, such as trees, porous screens and sources of
-   * heat. The mesh conforms to them, but they are no walls; elements in them are in the cell zone of the surface's
-   * name. A pattern that matches no surface, and a surface that is not closed, is an error of the run. None by default.
+   * Name patterns of closed surfaces that enclose a cell zone, such as trees, porous screens and sources of heat. The
+   * mesh conforms to them, but they are no walls; elements inside form a cell zone with the surface's name. A pattern
+   * that matches no surface, and a surface that is not closed, is an error of the run. None by default.
    */
   void AddCellZone(const char* pattern);
   int GetNumberOfCellZones();
@@ -275,8 +276,8 @@ public:
 
   ///@{
   /**
-   * xMin, xMax, yMin, yMax, zMin, zMax of the domain if DomainMode is Explicit. Default: the cube of 100 about the
-   * origin in x and y, from 0 to 50 in z.
+   * xMin, xMax, yMin, yMax, zMin, zMax of the domain if DomainMode is Explicit. Default: -50 to 50 in x and y, 0 to 50
+   * in z.
    */
   vtkSetVector6Macro(DomainBounds, double);
   vtkGetVector6Macro(DomainBounds, double);
@@ -284,9 +285,9 @@ public:
 
   ///@{
   /**
-   * Degrees, counterclockwise seen from above, by which the domain is turned: DomainBounds about their middle; from
-   * surfaces and site it is the smallest box along the turned axes. Not used if DomainMode is Automatic. Default 0;
-   * from -180 to 180.
+   * Degrees, counterclockwise seen from above, by which the domain is turned. DomainBounds are turned around their
+   * middle; from surfaces and site it is the smallest box along the turned axes. Not used if DomainMode is Automatic.
+   * Default 0; from -180 to 180.
    */
   vtkAtriaSetInRangeMacro(DomainAngle, double, -180.0, 180.0);
   vtkGetMacro(DomainAngle, double);
@@ -296,25 +297,25 @@ public:
   /**
    * Upright sides of the domain. Default 4, a box; from 3 to 48. Otherwise a regular polygon, stretched to fill the
    * bounds, whose sides are the patches domainSide1, domainSide2 and so on, counterclockwise; the normal of the first
-   * points along the domain's -x. If DomainMode is Automatic it then serves wind from all around: 15 H from the circle
-   * that holds the buildings to the sides, 5 H to the top, and side 1 faces WindAngle.
+   * points along the domain's -x. If DomainMode is Automatic it then serves wind from all directions: 15 H from the
+   * circle that holds the buildings to the sides, 5 H to the top, and side 1 faces WindAngle.
    */
   vtkAtriaSetInRangeMacro(DomainSides, int, 3, 48);
   vtkGetMacro(DomainSides, int);
   ///@}
 
   /**
-   * Sets DomainMode to Explicit, and DomainBounds so that the regular polygon of DomainSides, which is to be set
-   * before, touches the circle about (x, y).
+   * Sets DomainMode to Explicit, and DomainBounds so that the regular polygon of DomainSides, which must be set before,
+   * touches the circle around (x, y).
    */
   void SetDomainCylinder(double x, double y, double radius, double bottom, double top);
 
   ///@{
   /**
-   * Corners of a convex polygon, in x and y, that the domain stands on; from 3 to 48. DomainMode then says only where
-   * its bottom and top are: DomainBounds in z, the surfaces', the site's, or the lowest ground and 5 H above the
-   * buildings. Sides are the patches domainSide1 and so on, the first from the first corner, counterclockwise; corners
-   * that run clockwise are turned round. DomainSides is not used, and DomainAngle must be 0. None by default.
+   * Corners of a convex polygon, in x and y, that the domain stands on; from 3 to 48. DomainMode then only determines
+   * its bottom and top: DomainBounds in z, the surfaces', the site's, or the lowest ground and 5 H above the buildings.
+   * Sides are the patches domainSide1 and so on, the first from the first corner, counterclockwise; clockwise corners
+   * are reversed. DomainSides is not used, and DomainAngle must be 0. None by default.
    */
   void AddDomainCorner(double x, double y);
   int GetNumberOfDomainCorners();
@@ -324,9 +325,9 @@ public:
 
   ///@{
   /**
-   * Where the wind blows to if DomainMode is Automatic, in degrees from the x axis, counterclockwise seen from above.
-   * With x to the east and y to the north, a wind from the meteorological direction D has the angle 270 - D. The side
-   * xMin of the domain is the inlet. Default 0, along +x; from -360 to 360.
+   * Direction that the wind blows to if DomainMode is Automatic, in degrees from the x axis, counterclockwise seen from
+   * above. With x to the east and y to the north, a wind from the meteorological direction D has the angle 270 - D. The
+   * side xMin of the domain is the inlet. Default 0, along +x; from -360 to 360.
    */
   vtkAtriaSetInRangeMacro(WindAngle, double, -360.0, 360.0);
   vtkGetMacro(WindAngle, double);
@@ -344,8 +345,8 @@ public:
   ///@{
   /**
    * Pattern of the names of surfaces that are terrain; `*` stands for any characters, `?` for one. Terrain is extended
-   * level to the domain's sides, and the domain's bottom is put below it. Default empty: the surface SiteName, where it
-   * is not flat.
+   * level to the domain's sides, and the domain's bottom is put below it. Default empty: the surface SiteName, if it is
+   * not flat.
    */
   vtkSetMacro(TerrainName, std::string);
   vtkGetMacro(TerrainName, std::string);
@@ -353,10 +354,10 @@ public:
 
   ///@{
   /**
-   * Part of its height by which a body may hover above the ground to be let down to it: the points of its base are
-   * moved to the ground. Bases beside lower parts of the model are let down only where the gap is less than 2 m and
-   * half as high as wide. Not used where DomainMode is Explicit or FromSurfaces. Default 0.25; from 0, all stays as
-   * drawn, to 1.
+   * Largest gap between a body and the ground below it, as a share of the body's height, that is closed by moving the
+   * points of its base to the ground. Bases beside lower parts of the model are lowered only if the gap is less than 2
+   * m and less than half as high as wide. Not used if DomainMode is Explicit or FromSurfaces. Default 0.25; from 0,
+   * which moves nothing, to 1.
    */
   vtkAtriaSetInRangeMacro(GroundSnapRatio, double, 0.0, 1.0);
   vtkGetMacro(GroundSnapRatio, double);
@@ -374,8 +375,8 @@ public:
 
   ///@{
   /**
-   * What the grid stands along. Where that is not the direction of the domain's sides, these are meshed as surfaces
-   * are. Default ToAxes.
+   * Direction of the grid. If it is not the direction of the domain's sides, these are meshed like surfaces. Default
+   * ToAxes.
    */
   vtkAtriaSetInRangeMacro(AlignGrid, int, ToAxes, ToDomain);
   vtkGetMacro(AlignGrid, int);
@@ -400,16 +401,16 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   /**
-   * Throws atria::Error naming a property that is outside of its range.
+   * Throws atria::Error that names a property outside its range.
    */
   virtual void CheckProperties();
   /**
-   * Outputs that are a mesh, of which each rank gets a piece. None of them by default.
+   * Returns the outputs with a mesh, of which each rank gets a piece. None by default.
    */
   virtual atria::DealtOutputs GetDealtOutputs() const;
   virtual int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) { return 1; }
   virtual int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) = 0;
-  // The same by all ranks together, each with its piece of the inputs, unless it returns nothing.
+  // Does the same on all ranks together, each with its piece of the inputs. Returns nullopt if one rank has to do it.
   virtual std::optional<int> RequestDataOnRanks(vtkMultiProcessController&, vtkInformationVector**,
                                                 vtkInformationVector*);
   vtkTypeBool ProcessRequestHere(vtkInformation*, vtkInformationVector**, vtkInformationVector*);
@@ -445,7 +446,7 @@ protected:
   double GroundSnapRatio = 0.25;
 
 private:
-  /// Sets the three sizes to these, completed.
+  /// Completes these sizes and sets them.
   bool FillSizes(double sizeMax, double sizeMid, double sizeMin);
 
   vtkAtriaGridAlgorithm(const vtkAtriaGridAlgorithm&) = delete;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Filter that makes the octree of a domain, refined at surfaces.
 /**
  * @class   vtkAtriaOctreeSource
  * @brief   the 2:1 balanced octree of a domain, fitted to surfaces
@@ -10,11 +11,11 @@
  *
  * Input port 0 (optional): surfaces; see vtkAtriaGridAlgorithm. Without, DomainMode must be Explicit.
  *
- * Output: leaves that share volume with the domain (or, if that stands turned in the grid, with a box of the grid about
- * it), as vtkUnstructuredGrid of voxels, of hexahedra if the grid is turned, or as vtkHyperTreeGrid, which cannot be
- * turned: that is an error. Cell arrays: `Level` (unsigned char, root 0), `FeatureType` (unsigned char: 0 none, 1
- * surface, 2 curve, 3 corner, 4 several surfaces that do not meet). Field arrays: `OctreeFrame`, with which
- * vtkAtriaDualMesher takes the octree as its input; `SizingWarning`, what MaxElements left out, if anything.
+ * Output: leaves that share volume with the domain (or, if the domain is turned in the grid, with a box of the grid
+ * around it), as vtkUnstructuredGrid of voxels, of hexahedra if the grid is turned, or as vtkHyperTreeGrid, which
+ * cannot be turned: that is an error. Cell arrays: `Level` (unsigned char, root 0), `FeatureType` (unsigned char: 0
+ * none, 1 surface, 2 curve, 3 corner, 4 several surfaces that do not meet). Field arrays: `OctreeFrame`, with which
+ * vtkAtriaDualMesher accepts the octree as input; `SizingWarning`, the sizes that MaxElements coarsened, if any.
  */
 #ifndef vtkAtriaOctreeSource_h
 #define vtkAtriaOctreeSource_h
@@ -52,19 +53,22 @@ public:
   ///@}
 
   /**
-   * Sizes the octants for the present input and properties and counts what a mesh of them has, without building
-   * octree or mesh. The counts are exact for a mesh of all zones; what a zone rule leaves out has no elements. Where a
-   * mesh would be refused for MemoryLimit they are estimates, of what there is at least: EstimateIsTooLarge. Returns
-   * false, after an error, where sizes or domain cannot be met.
+   * Sizes the octants for the current input and properties and counts the elements of their mesh, without building
+   * octree or mesh. The counts are exact for a mesh of all zones; zones omitted by a zone rule have no elements. If a
+   * mesh would be refused for MemoryLimit, EstimateIsTooLarge is true and the counts are estimated lower bounds.
+   * Returns false, after an error, if sizes or domain are impossible.
    */
   bool Estimate();
 
   ///@{
   /**
-   * What Estimate() found: elements; bytes of memory that meshing takes at its peak, roughly; by level of the octree
-   * the number and edge length of the leaves in the domain (0 out of range); whether meshing would be refused, as it
-   * takes more memory than there is; warnings, one a line: where the domain does not suit the model, what MaxElements
-   * leaves out, why meshing would be refused.
+   * Results of Estimate():
+   * - number of elements;
+   * - rough peak memory of meshing, in bytes;
+   * - number and edge length of the leaves in the domain for each level of the octree (0 out of range);
+   * - EstimateIsTooLarge, true if meshing would be refused because it needs more memory than there is;
+   * - warnings, one per line: where the domain does not suit the model, which sizes MaxElements coarsens, why meshing
+   *   would be refused.
    */
   vtkGetMacro(EstimatedElements, vtkIdType);
   vtkGetMacro(EstimatedBytes, vtkTypeInt64);

@@ -75,13 +75,13 @@ std::vector<std::string> surfacesOf(const atria::Narrow& narrow, const std::vect
   return found;
 }
 
-/// Distances to the sides, the largest blockage, and of a prism that is no box the blockages of all winds square to a
-/// side.
+/// Adds distances to the sides, the largest blockage, and for a prism that is no box the blockages of all winds
+/// perpendicular to a side.
 void addBySide(const atria::Preflight& report, TableWriter& table)
 {
   std::vector<atria::Index> upright;
   std::ranges::transform(report.domain.sides(), std::back_inserter(upright), &atria::PrismSide::number);
-  std::ranges::sort(upright); // those of a box by Direction
+  std::ranges::sort(upright); // sides of a box are in the order of Direction
   const auto named = [](const char* what, atria::Index side) {
     std::string name = atria::sideName(side);
     name[0] = static_cast<char>(std::toupper(name[0]));

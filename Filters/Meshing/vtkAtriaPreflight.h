@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Filter that checks a model and estimates its mesh before meshing.
 /**
  * @class   vtkAtriaPreflight
- * @brief   what a mesh would be like, before it is made
+ * @brief   properties of a mesh before it is made
  *
  * Takes the mesher's input and properties, and makes the domain and the octree, but no mesh.
  *
  * Output: vtkTable with the columns `Quantity` (string), `Value` (double) and `Unit` (string: m, degrees, H for
- * building heights, or empty); docs/arrays.md lists the quantities. What a model does not have, such as an opening, has
- * no row. Field arrays: `Warning` (string, what to look at before meshing), `OpeningSurface` and `GapSurface` (string,
- * the surfaces the narrowest opening and gap lie between; empty without).
+ * building heights, or empty); docs/arrays.md lists the quantities. Quantities that the model does not have, such as an
+ * opening, have no row. Field arrays: `Warning` (string, points to check before meshing), `OpeningSurface` and
+ * `GapSurface` (string, the surfaces between which the narrowest opening and gap lie; empty without).
  */
 #ifndef vtkAtriaPreflight_h
 #define vtkAtriaPreflight_h
@@ -27,8 +28,8 @@ public:
   vtkTable* GetOutput();
 
   /**
-   * SizeMax, SizeMid and SizeMin of the last run: those that were 0 follow from the model. With them the mesher makes
-   * the mesh that was looked at. 0 before a run.
+   * SizeMax, SizeMid and SizeMin of the last run: sizes of 0 are replaced by values from the model. With these sizes
+   * the mesher makes the mesh that was estimated. 0 before a run.
    */
   vtkGetVector3Macro(SizesTaken, double);
 

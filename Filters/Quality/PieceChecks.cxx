@@ -11,7 +11,8 @@ namespace atria {
 
 namespace {
 
-/// Of cells beside own ones all neighbors are there then, so that their centroids are those of the whole to the bit.
+/// Number of rings around own cells. Cells beside own ones then have all their neighbors, so that their centroids have
+/// the same bits as in the whole mesh.
 constexpr int rings = 2;
 
 MeshVerdict judge(const MeasuredMesh& measured, const WidePiece& wide, RankExchange& exchange,

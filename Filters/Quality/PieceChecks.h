@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// checkMesh's checks of a mesh where ranks have its pieces.
+/// checkMesh's checks for a mesh whose pieces are on several ranks.
 #pragma once
 
 #include "MeshPiece.h"
@@ -8,31 +8,31 @@
 
 namespace atria {
 
-/// A piece with what is about it, judged together with those of all ranks, who make theirs at the same time.
+/// A piece with its surroundings, judged together with the pieces of all ranks. All ranks make theirs at the same time.
 class PieceChecks
 {
 public:
-  /// Both pieces and what they were made of must outlive this. Throws Error as makeFaceMesh() does, with numbers of
-  /// cells that the whole has not, and where faces of patches are not the boundary of own cells.
+  /// The piece and the data it was made of must outlive this. Throws Error as makeFaceMesh() does, but with cell
+  /// numbers that are not those of the whole mesh, and if the faces of patches are not the boundary of own cells.
   PieceChecks(const MeshPiece& piece, RankExchange& exchange, const RunContext& context);
   PieceChecks(const PieceChecks&) = delete;
   PieceChecks& operator=(const PieceChecks&) = delete;
 
-  /// The metrics of own cells, by the numbers that they have in the piece; others have 0, and are valid. Those of faces
-  /// are such that each face of the whole is counted once.
+  /// Returns the metrics of own cells, one entry per cell of the piece; other cells have 0 and are valid. Face metrics
+  /// cover each face of the whole mesh on one rank only.
   QualityMetrics metrics(const RunContext& context) const;
 
-  /// Of the whole, but for `failing`.
+  /// Returns the verdict on the whole mesh; only `failing` is local.
   const MeshVerdict& verdict() const { return verdict_; }
 
-  /// Adds what checkMesh measures, one quantity after the other, and the checks that cells fail; ghosts are to be
-  /// filled then. Of all ranks.
+  /// Adds checkMesh's quantities, one after the other, and the checks that cells fail. Ghosts must be filled
+  /// afterwards. All ranks must call it.
   void addTo(QualityOutputs& outputs, const RunContext& context) const;
 
 private:
-  /// Of own cells, by the numbers that they have in the piece; others are 0.
+  /// Returns the values of own cells, one entry per cell of the piece; other cells get `ofOthers`.
   template <typename T> Buffer<T> byCell(std::span<const T> values, T ofOthers) const;
-  /// Of all faces, or of internal ones alone where there are no more values.
+  /// Returns the values of faces that count on this rank. `values` are those of all faces, or of internal ones only.
   Buffer<double> countedFaces(std::span<const double> values) const;
   void checkPatches() const;
 

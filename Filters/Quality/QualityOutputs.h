@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Collects the arrays and tables of vtkAtriaMeshQuality.
 #pragma once
 
 #include "Quality/Checks/BoxQuality.h"
@@ -19,22 +20,22 @@ class vtkUnstructuredGrid;
 
 namespace atria {
 
-/// The values of a metric that the tables are made of, and whether they are those of faces.
+/// The values of a metric for the tables.
 struct QualitySample
 {
   const char* name;
   bool ofFaces;
   std::span<const double> values;
   Repeated repeated = {};
-  bool ofOthers = false; ///< of cells, those that are no regular boxes
+  bool ofOthers = false; ///< true if `values` has only cells that are no regular boxes
 };
 
-/// The part of a mesh that a rank holds: which of its cells count there, and how all are one sample. All faces do of
-/// which there are values.
+/// The part of a mesh that a rank holds: the cells that count on it, and the port that combines all ranks into one
+/// sample. All faces with values count.
 struct SampledPiece
 {
   std::vector<Index> cells;
-  std::vector<Index> others; ///< those among the cells that are no regular boxes
+  std::vector<Index> others; ///< places, among cells that are no regular boxes, of those that count
   const Reduction& together;
 };
 
@@ -49,9 +50,9 @@ public:
   void addCells(const char* name, std::span<const double> values);
   void addSample(const QualitySample& sample);
   void addFaces(const char* name, std::span<const double> values, std::size_t ideal);
-  /// Frees the values once they are copied.
+  /// Adds a metric as cell array and sample. Frees the values once they are copied.
   void addBoth(const char* name, Buffer<double>& values);
-  /// The same where all regular boxes have one value, or each its own; `values` are those of other cells.
+  /// The same if all regular boxes have one value, or each its own; `values` are those of other cells.
   void addBoth(const char* name, const QualityByBoxes& boxes, Buffer<double>& values, double ofBoxes,
                bool withSample = true);
   template <typename OfBox>
@@ -61,13 +62,13 @@ public:
     addSample({name, false, all});
     Buffer<double>().swap(values);
   }
-  /// Bits as failedChecksOfCells() has them.
+  /// Adds the bits of failedChecksOfCells().
   void addFailedChecks(const std::vector<std::uint32_t>& bits);
   void addValid(std::size_t cellCount, std::span<const unsigned char> values, std::span<const Index> cells);
 
   void fill(vtkUnstructuredGrid* grid, vtkTable* summary, vtkTable* histograms);
 
-  /// Throws Error where there is no such metric.
+  /// Throws Error if the metric shown in the histogram does not exist.
   void checkShown() const;
 
   std::vector<vtkSmartPointer<vtkDataArray>> arrays;
@@ -76,13 +77,13 @@ private:
   struct Metric
   {
     const char* name;
-    const char* part; ///< what it is of
+    const char* part; ///< parts that it is measured on
     Statistics statistics;
   };
 
   static vtkSmartPointer<vtkDoubleArray> emptyColumn(const std::string& name, std::size_t size);
 
-  /// Adds an array of cells, and returns what is in it.
+  /// Adds a cell array. Returns a view of its values.
   template <typename OfBox>
   std::span<const double> spread(const char* name, const QualityByBoxes& boxes, std::span<const double> values,
                                  OfBox&& ofBox)
@@ -101,7 +102,7 @@ private:
   const Executor& executor;
   const SampledPiece* piece;
   std::vector<Metric> metrics;
-  vtkNew<vtkTable> first; ///< of the histogram, those of the metric that is shown
+  vtkNew<vtkTable> first; ///< first columns of the histogram, those of the shown metric
   vtkNew<vtkTable> histogram;
 };
 

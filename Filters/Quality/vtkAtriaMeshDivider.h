@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Filter that distributes a mesh to MPI ranks, or joins its pieces.
 /**
  * @class   vtkAtriaMeshDivider
- * @brief   deals out a mesh and its patches to MPI ranks, and makes one of pieces
+ * @brief   distributes a mesh and its patches to MPI ranks, or joins their pieces
  *
  * Input port 0 takes a volume mesh (vtkUnstructuredGrid), input port 1, optional, its patches
  * (vtkPartitionedDataSetCollection). The outputs are the same.
  *
- * Asked for a piece on each rank of VTK's global controller, as UpdatePiece() does, each rank gets its piece: as many
- * cells as the others, in ranges along a space-filling curve, with ghost cells and global ids; and of every patch the
- * faces of its cells. So vtkAtriaDualMesher deals out its mesh. What of the inputs the ranks hold is brought together
- * on the first one before: one of them may hold all, or each a piece.
+ * If a piece is requested on each rank of VTK's global controller, as UpdatePiece() does, each rank gets its piece: as
+ * many cells as the others, in ranges along a space-filling curve, with ghost cells and global ids, and the faces of
+ * its cells from every patch. vtkAtriaDualMesher distributes its mesh in the same way. The inputs of all ranks are
+ * joined on the first one before: one rank may hold everything, or each a piece.
  *
- * Asked for everything, the output is the whole mesh: the input, or what the pieces in it were that such a division has
- * made, by their global ids. So a reader's mesh in pieces becomes one, with the bits that it had.
+ * If everything is requested, the output is the whole mesh: the input, or the mesh that was divided into the input's
+ * pieces, joined by their global ids. A reader's mesh in pieces thus becomes one mesh, with its original bits.
  *
  * @sa vtkAtriaDualMesher
  */

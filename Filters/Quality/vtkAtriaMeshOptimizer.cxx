@@ -34,7 +34,7 @@ vtkStandardNewMacro(vtkAtriaMeshOptimizer);
 
 namespace {
 
-/// The patch of each boundary face; all faces without one have the same number. Empty without patches.
+/// Returns the patch of each boundary face; all faces without one have the same number. Empty without patches.
 std::vector<atria::Index> patchOfFaces(const atria::VtkFaceMesh& source)
 {
   const auto& patches = source.patches.patches;
@@ -54,7 +54,7 @@ std::vector<atria::Index> patchOfFaces(const atria::VtkFaceMesh& source)
   return out;
 }
 
-/// Of faces in face zones, and between cells of different cell zones.
+/// Returns the points of faces in face zones, and of faces between different cell zones.
 std::vector<atria::Index> pointsOfZones(const atria::VtkFaceMesh& source, vtkUnstructuredGrid* volume)
 {
   const atria::FaceMesh& mesh = source.mesh;
@@ -75,7 +75,7 @@ std::vector<atria::Index> pointsOfZones(const atria::VtkFaceMesh& source, vtkUns
   return points;
 }
 
-/// The patches with their points where those of the mesh are now. They are known to have the array VolumePointId.
+/// Copies the patches, with their points moved like those of the mesh. They must have the array VolumePointId.
 void movePatches(vtkPartitionedDataSetCollection* from, const std::vector<atria::Vec3>& points,
                  vtkPartitionedDataSetCollection* to)
 {
@@ -111,7 +111,7 @@ void movePatches(vtkPartitionedDataSetCollection* from, const std::vector<atria:
   }
 }
 
-/// What was done, and how far it got.
+/// Adds the arrays that report moved points and remaining poor cells.
 void addReport(const atria::MeshOptimizerReport& report, vtkUnstructuredGrid* before, vtkUnstructuredGrid* mesh)
 {
   atria::addArrayOf<vtkFloatArray>(mesh->GetCellData(), "TargetShare", report.shares);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Filter that improves a volume mesh by moving its points.
 /**
  * @class   vtkAtriaMeshOptimizer
  * @brief   moves the points of a volume mesh until its cells are valid and good
@@ -6,31 +7,31 @@
  * Input port 0 takes any volume mesh of tetrahedra, voxels, hexahedra, wedges, pyramids and polyhedra. Input port 1,
  * optional, takes its boundary patches as vtkAtriaMeshQuality does (vtkPartitionedDataSetCollection of vtkPolyData with
  * the cell array `OwnerCellId` and the point array `VolumePointId`, such as vtkAtriaDualMesher's second output).
- * Without them those that the mesher recorded in the mesh are taken, if its cells are the same.
+ * Without them, patches that the mesher recorded in the mesh are used, if its cells are the same.
  *
- * Points of cells that fall short of a target, and those about them, are moved; all others stay as they are, bit by
- * bit. So a mesh that meets all targets is not changed, and one that shall get better needs stricter ones. Besides the
- * targets below, cells are judged by interpolation weights, volume ratios, determinants, coplanar faces and OpenFOAM's
- * decomposition into tetrahedra.
+ * Points of cells that miss a target, and points around them, are moved; all others stay the same, bit by bit. A mesh
+ * that meets all targets is not changed; stricter targets are needed to improve it. Besides the targets below, cells
+ * are judged by interpolation weights, volume ratios, determinants, coplanar faces and OpenFOAM's decomposition into
+ * tetrahedra.
  *
  * The boundary keeps its shape. Its edges are kept where its normals turn by more than FeatureAngle, where it ends or
  * branches, and where two patches meet. Points at corners of these edges stay; points on an edge slide along it; all
- * others slide along the boundary as it was, so what is flat stays flat. Points of the boundary that are in one place,
- * such as those on the two sides of a sheet, move as one.
+ * others slide along the original boundary, so that flat parts stay flat. Boundary points in the same place, such as
+ * those on the two sides of a sheet, move together.
  *
- * The worst of the mesh never gets worse, by no metric of vtkAtriaMeshQuality, nor by Determinant, FaceWeight and
+ * The worst value of the mesh never gets worse in any metric of vtkAtriaMeshQuality, nor in Determinant, FaceWeight and
  * VolumeRatio of its CheckMesh. The result has the same bits for any number of threads.
  *
- * Output port 0 is the mesh with its points moved, in double precision, and all its arrays. Besides it has
- * - cell array `TargetShare` (float): the least of the cell's measures, those of its faces included, on a scale on
- * which 1 reaches all targets and 0 is the limit of what solvers take. What a mesh's connectivity or boundary makes
- * impossible stays below 1;
+ * Output port 0 is the mesh with its points moved, in double precision, and all its arrays. It also has
+ * - cell array `TargetShare` (float): the smallest of the cell's measures, its faces included, on a scale on which 1
+ *   reaches all targets and 0 is the limit that solvers accept. It stays below 1 where the mesh's connectivity or
+ *   boundary prevents better values;
  * - point array `Displacement` (double, 3 components): how far the point was moved, model units;
  * - field arrays `MovedPoints`, `PoorCellsBefore` and `PoorCells` (id): see GetNumberOfMovedPoints() and the next.
  *
  * Output port 1 has the patches with the same points moved, if there are any.
  *
- * A cell of another type or dimension, one that does not fit the others, and patches that do not belong to the mesh are
+ * Cells of another type or dimension, cells that do not fit the others, and patches that do not belong to the mesh are
  * errors that name them.
  *
  * @sa vtkAtriaMeshQuality, vtkAtriaDualMesher
@@ -53,8 +54,8 @@ public:
 
   ///@{
   /**
-   * Edges of the boundary where its normals differ by more are kept, and points where these edges turn by more;
-   * degrees, from 0 to 180. Default 30.
+   * Angle in degrees, from 0 to 180. Boundary edges are kept if the normals there differ by more, and points if these
+   * edges turn there by more. Default 30.
    */
   vtkAtriaSetInRangeMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
@@ -62,8 +63,7 @@ public:
 
   ///@{
   /**
-   * Leave all points on the boundary where they are. Default off. Those of face zones, and between cell zones, always
-   * stay.
+   * If on, no point of the boundary moves. Default off. Points of face zones, and between cell zones, never move.
    */
   vtkSetMacro(FixBoundary, bool);
   vtkGetMacro(FixBoundary, bool);
@@ -96,7 +96,7 @@ public:
 
   ///@{
   /**
-   * ScaledJacobian that is good enough for cells that have one, from 0 (do not look at it) to 1; no unit. Default 0.3.
+   * ScaledJacobian that is good enough for cells that have one, from 0 (not considered) to 1; no unit. Default 0.3.
    */
   vtkAtriaSetInRangeMacro(TargetScaledJacobian, double, 0.0, 1.0);
   vtkGetMacro(TargetScaledJacobian, double);
@@ -104,14 +104,14 @@ public:
 
   ///@{
   /**
-   * How often at most all unresolved points are looked at, from 1 to 10000. Default 50.
+   * Largest number of passes over all unresolved points, from 1 to 10000. Default 50.
    */
   vtkAtriaSetInRangeMacro(NumberOfSweeps, int, 1, 10000);
   vtkGetMacro(NumberOfSweeps, int);
   ///@}
 
   /**
-   * Number of points moved in the last run, of cells that fell short of a target before it, and that still do.
+   * Number of points moved in the last run, of cells that missed a target before it, and of cells that still do.
    */
   ///@{
   vtkGetMacro(NumberOfMovedPoints, vtkIdType);

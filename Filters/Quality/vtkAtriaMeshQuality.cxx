@@ -48,7 +48,7 @@ struct Verdict
   int failedChecks = 0;
 };
 
-/// Frees the metrics.
+/// Adds the metrics to the outputs and frees them.
 Verdict addMetrics(QualityOutputs& outputs, atria::QualityMetrics& q)
 {
   outputs.addBoth("CellSquish", q.cellSquish);
@@ -68,7 +68,7 @@ Verdict addMetrics(QualityOutputs& outputs, atria::QualityMetrics& q)
   return {static_cast<vtkIdType>(q.invalidCells), 0};
 }
 
-/// The same where most cells are boxes, which are ideal in what depends on directions.
+/// The same for a mesh of mostly boxes, whose metrics that depend on directions are ideal.
 Verdict addMetrics(QualityOutputs& outputs, atria::QualityByBoxes& boxes)
 {
   atria::QualityMetrics& q = boxes.metrics;
@@ -90,7 +90,7 @@ Verdict addMetrics(QualityOutputs& outputs, atria::QualityByBoxes& boxes)
   return {static_cast<vtkIdType>(q.invalidCells), 0};
 }
 
-/// One quantity after the other, as each has up to one value a face.
+/// Adds one quantity after the other, as each has up to one value per face.
 void addCheckQuantities(QualityOutputs& outputs, const atria::MeasuredMesh& mesh, const atria::RunContext& context)
 {
   double done = 0.0;
@@ -106,7 +106,8 @@ void addCheckQuantities(QualityOutputs& outputs, const atria::MeasuredMesh& mesh
   }
 }
 
-/// Where most cells are boxes, the metrics without finding all faces; see computeQualityByBoxes.
+/// Adds the metrics of a mesh of mostly boxes without finding all faces; see computeQualityByBoxes. Returns nullopt if
+/// this is not possible.
 std::optional<Verdict> measureByBoxes(QualityOutputs& outputs, vtkUnstructuredGrid* volume,
                                       vtkPartitionedDataSetCollection* given, const atria::RunContext& context)
 {
@@ -145,7 +146,7 @@ std::optional<Verdict> measureByBoxes(QualityOutputs& outputs, vtkUnstructuredGr
   return addMetrics(outputs, *quality);
 }
 
-/// By all faces.
+/// Adds the metrics, and the checks if requested, of all cells and faces.
 Verdict measureAll(QualityOutputs& outputs, vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches,
                    bool checkMesh, vtkTable* checks, const atria::RunContext& context)
 {
@@ -169,17 +170,17 @@ Verdict measureAll(QualityOutputs& outputs, vtkUnstructuredGrid* volume, vtkPart
   return verdict;
 }
 
-/// What a rank finds in its piece: one of these.
+/// Results for a rank's piece: either `boxes` or `checks` with `metrics`.
 struct MeasuredPiece
 {
   std::optional<atria::QualityByBoxes> boxes;
-  std::unique_ptr<atria::PieceChecks> checks; ///< if checks are asked for
-  atria::QualityMetrics metrics;              ///< with them
+  std::unique_ptr<atria::PieceChecks> checks; ///< set if checks are requested
+  atria::QualityMetrics metrics;              ///< set with `checks`
 
   std::size_t invalidCells() const { return boxes ? boxes->metrics.invalidCells : metrics.invalidCells; }
 };
 
-/// How measuring ended, on all ranks.
+/// Outcome of measuring, the same on all ranks.
 enum class Outcome
 {
   Measured,
@@ -219,7 +220,7 @@ Outcome measurePiece(const atria::MeshPiece& piece, bool withChecks, vtkMultiPro
   }
 }
 
-/// Of all ranks, and none of them leaves it.
+/// Adds the results of a piece. All ranks must call it, and none may leave it early.
 void addPiece(QualityOutputs& outputs, MeasuredPiece& measured, vtkTable* checks, const atria::Executor& executor)
 {
   if (measured.boxes)
@@ -235,7 +236,7 @@ void addPiece(QualityOutputs& outputs, MeasuredPiece& measured, vtkTable* checks
   }
 }
 
-/// Where in a list of cells own ones are.
+/// Returns the places of own cells in a list of cells.
 std::vector<atria::Index> ownPlaces(const atria::MeshPiece& piece, const std::vector<atria::Index>& cells)
 {
   std::vector<atria::Index> places;
@@ -304,7 +305,7 @@ std::optional<int> vtkAtriaMeshQuality::MeasurePieces(vtkInformationVector** inp
   const Outcome outcome = measurePiece(*piece, this->CheckMesh, controller, measured, run.context);
   if (outcome == Outcome::Impossible)
   {
-    return std::nullopt; // the first rank will say why
+    return std::nullopt; // the first rank will report the reason
   }
   if (outcome == Outcome::Aborted)
   {
@@ -330,7 +331,7 @@ std::optional<int> vtkAtriaMeshQuality::MeasurePieces(vtkInformationVector** inp
     output->ShallowCopy(volume);
     vtkNew<vtkTable> summary, histogram;
     collected.fill(output, summary, histogram);
-    if (controller.GetLocalProcessId() > 0) // tables are the first rank's
+    if (controller.GetLocalProcessId() > 0) // only the first rank has tables
     {
       summary->Initialize();
       histogram->Initialize();
@@ -344,7 +345,7 @@ std::optional<int> vtkAtriaMeshQuality::MeasurePieces(vtkInformationVector** inp
   }
   catch (const atria::Error&)
   {
-    return std::nullopt; // of properties, so that it is the same on all ranks, and the first one says it
+    return std::nullopt; // a property is wrong, which is the same on all ranks; the first one reports it
   }
   run.context.progress.report(1.0, "Quality known");
   return 1;

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Filter that measures the quality of every cell of a volume mesh.
 /**
  * @class   vtkAtriaMeshQuality
  * @brief   quality of every cell of a volume mesh, with summary and histograms
  *
- * Input port 0 takes a volume mesh of tetrahedra, voxels, hexahedra, wedges, pyramids and polyhedra. Input
- * port 1, optional, takes its boundary patches (vtkPartitionedDataSetCollection of vtkPolyData with the cell
- * array `OwnerCellId` and the point array `VolumePointId`, such as vtkAtriaDualMesher's second output). With
- * them the two sides of a sheet of zero thickness count as boundary, as they do for a solver, even where both
- * have the same points. Without them those that the mesher recorded in the mesh are taken, if its cells are the same.
+ * Input port 0 takes a volume mesh of tetrahedra, voxels, hexahedra, wedges, pyramids and polyhedra. Input port 1,
+ * optional, takes its boundary patches (vtkPartitionedDataSetCollection of vtkPolyData with the cell array
+ * `OwnerCellId` and the point array `VolumePointId`, such as vtkAtriaDualMesher's second output). With them the two
+ * sides of a sheet of zero thickness count as boundary, as they do for a solver, even where both have the same points.
+ * Without them, patches that the mesher recorded in the mesh are used, if its cells are the same.
  *
- * Output port 0 is the mesh with these cell arrays (double). A is the outward area vector of a face, r goes
- * from the cell's centroid to the face's, d from the cell's centroid to its neighbor's:
+ * Output port 0 is the mesh with these cell arrays (double). A is the outward area vector of a face, r goes from the
+ * cell's centroid to the face's, d from the cell's centroid to its neighbor's:
  * - `CellSquish`: max 1 - A.r/(|A||r|); 0 is ideal, below 0.99 usable
  * - `FaceSquish`: max 1 - A.d/(|A||d|) over internal faces; 0 is ideal
  * - `AspectRatio`: max/min distance from the centroid to face centroids and points; a cube has 1.732 (Fluent)
@@ -23,7 +24,7 @@
  * - `ScaledJacobian`: Verdict's; 1 is ideal, not a number for polyhedra
  * - `Valid` (unsigned char): 1 where volume and face pyramids are positive and the cell is closed, else 0
  *
- * With CheckMesh on, these too, as OpenFOAM 1912 defines them:
+ * With CheckMesh on, also these, as OpenFOAM 1912 defines them:
  * - `Openness`, `AreaAspectRatio`: max over x, y, z of |sum of A| / sum of |A|; checkMesh's aspect ratio
  * - `Determinant`: of the internal faces' A; below 0.001 a cell is under-determined
  * - `Concavity`: max cosine of a face's normal to the way to another face's centroid; above -1e-6 a cell is concave
@@ -37,19 +38,18 @@
  * Output port 1 is a vtkTable with one row per metric: `Metric` (string), `Of` (string: cells or faces), `Minimum`,
  * `Maximum`, `Mean`, `StandardDeviation` (of the population), `Count`. Output port 2 is a vtkTable with NumberOfBins
  * rows and for each metric the columns `<Metric>` (bin center), `<Metric>_PDF` (integrates to 1) and `<Metric>_CDF`
- * (ends at 1), which charts take as they are; before them `Value`, `PDF` and `CDF`, the same of HistogramMetric. Both
- * tables take what begins with Face, `VolumeRatio`, `TetQuality` and `EdgeLength` face by face (FacePyramids excepted),
- * all else cell by cell; `FaceNonOrthogonality` and `FaceSkewness` are there only. What is not a number is not counted.
+ * (ends at 1), which charts can use directly; before them `Value`, `PDF` and `CDF`, the same for HistogramMetric. In
+ * both tables, metrics that begin with Face (except FacePyramids), `VolumeRatio`, `TetQuality` and `EdgeLength` count
+ * each face, all others each cell; `FaceNonOrthogonality` and `FaceSkewness` exist only there. Values that are not
+ * numbers do not count.
  *
  * Output port 3 is a vtkTable, empty unless CheckMesh is on, with one row per check of `checkMesh -allGeometry`:
- * `Check` (string), `Of` (string: cells, faces, points or mesh), `Limit`, `Worst`, `Mean`, `Failing` (number of those
- * beyond the limit), `IsError` (1 where checkMesh counts it as failed, 0 where it only tells), `Set` (string:
- * checkMesh's name for the set of those failing), `Advice` (string: what to do where it fails). The numbers are
- * checkMesh's own.
+ * `Check` (string), `Of` (string: cells, faces, points or mesh), `Limit`, `Worst`, `Mean`, `Failing` (number of values
+ * beyond the limit), `IsError` (1 if checkMesh counts it as failed, 0 if it only reports it), `Set` (string:
+ * checkMesh's name for the failing set), `Advice` (string: what to do if it fails). The numbers are checkMesh's own.
  *
- * Areas, volumes and centroids are those of OpenFOAM's primitiveMesh, so figures agree with checkMesh's. A
- * mesh without cells, of other cell types or whose faces more than two cells share is an error; the outputs
- * are then empty.
+ * Areas, volumes and centroids are those of OpenFOAM's primitiveMesh, so figures agree with checkMesh's. A mesh without
+ * cells, of other cell types or whose faces more than two cells share is an error; the outputs are then empty.
  *
  * @sa vtkAtriaWorstElements vtkAtriaDualMesher vtkAtriaOpenFOAMWriter vtkMeshQuality
  */
@@ -84,8 +84,8 @@ public:
 
   ///@{
   /**
-   * The metric that the first three columns of the histogram are of: a row of port 1. Those of CheckMesh take
-   * CheckMesh to be on. Default CellSquish.
+   * Metric of the first three columns of the histogram: a row of port 1. Metrics of CheckMesh require CheckMesh to be
+   * on. Default CellSquish.
    */
   vtkSetMacro(HistogramMetric, std::string);
   vtkGetMacro(HistogramMetric, std::string);
@@ -142,7 +142,8 @@ protected:
 
 private:
   /**
-   * What RequestData does, with the pieces of a mesh where they are; nothing where all of it is needed in one place.
+   * Does the work of RequestData on the pieces of a distributed mesh. Returns nullopt if the whole mesh is needed on
+   * one rank.
    */
   std::optional<int> MeasurePieces(vtkInformationVector**, vtkInformationVector*, vtkMultiProcessController&);
 

@@ -110,7 +110,7 @@ private:
     }
     else
     {
-      // The number of faces, and for each its number of points and they.
+      // The stream holds the number of faces, then for each face the number of its points and the points.
       input->GetFaceStream(cell, ids);
       vtkIdType at = 1;
       for (vtkIdType face = 0; face < ids->GetId(0); ++face)

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Filter that extracts the worst elements of a mesh.
 /**
  * @class   vtkAtriaWorstElements
- * @brief   the worst elements of a mesh by a cell array, with those about them
+ * @brief   the worst elements of a mesh by a cell array, and the elements around them
  *
- * Takes an unstructured grid with a cell array of numbers, such as vtkAtriaMeshQuality makes, and gives the elements
- * that are worst by it together with Rings rings of elements about them. Elements are neighbors that share a point. A
- * sheet with fluid on both sides has points of its own on either side, so a ring does not reach across it.
+ * Takes an unstructured grid with a cell array of numbers, such as vtkAtriaMeshQuality makes, and returns the elements
+ * with the worst values together with Rings rings of elements around them. Elements that share a point are neighbors. A
+ * sheet with fluid on both sides has separate points on each side, so a ring does not reach across it.
  *
- * The array is chosen with SetMetricName(), by default `CellSquish`. What of it is worst follows Order: by default the
- * metrics of vtkAtriaMeshQuality know it, and of any other array the greatest is worst. Elements whose value is not a
- * number are never among the worst.
+ * The array is chosen with SetMetricName(), by default `CellSquish`. Order determines which values are worst: by
+ * default it depends on the metric of vtkAtriaMeshQuality; for any other array the greatest is worst. Elements whose
+ * value is not a number are never among the worst.
  *
  * The output is an unstructured grid with the cells in the order of their rank, then ring by ring. It keeps all cell,
  * point and field arrays of the input, and adds
- * - `WorstRank` (int, cells): 1 for the worst, and so on; 0 in the rings
+ * - `WorstRank` (int, cells): 1 for the worst and so on; 0 in the rings
  * - `Ring` (int, cells): 0 for the worst, 1 for those that touch them, and so on
  * - `vtkOriginalCellIds`, `vtkOriginalPointIds` (id): the cell and point in the input
  *
- * A mesh without the array is an error that names the arrays there are. Nothing beyond the limit gives an empty output.
+ * A mesh without the array is an error that names the existing arrays. The output is empty if no value is beyond the
+ * limit.
  *
  * @sa vtkAtriaMeshQuality
  */
@@ -39,14 +41,14 @@ public:
 
   enum Orders
   {
-    Automatic = 0,     ///< as the metric has it
+    Automatic = 0,     ///< depends on the metric
     GreatestFirst = 1, ///< the greatest is worst
     SmallestFirst = 2  ///< the smallest is worst
   };
 
   ///@{
   /**
-   * Name of the cell array to go by. Of an array with several components the first counts. Default `CellSquish`.
+   * Name of the cell array to sort by. Only the first component of an array counts. Default `CellSquish`.
    */
   vtkSetMacro(MetricName, std::string);
   vtkGetMacro(MetricName, std::string);
@@ -65,7 +67,7 @@ public:
 
   ///@{
   /**
-   * How many of the worst elements, at least 1. Not used if UseLimit is on. Default 10.
+   * Number of worst elements, at least 1. Not used if UseLimit is on. Default 10.
    */
   vtkAtriaSetInRangeMacro(NumberOfElements, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfElements, int);
@@ -73,8 +75,8 @@ public:
 
   ///@{
   /**
-   * Take all elements whose value is beyond Limit: above it where the greatest is worst, else below it. Default off:
-   * the worst NumberOfElements.
+   * If on, take all elements whose value is beyond Limit: above it if the greatest is worst, else below it. Default
+   * off: the worst NumberOfElements.
    */
   vtkSetMacro(UseLimit, bool);
   vtkGetMacro(UseLimit, bool);
@@ -91,7 +93,7 @@ public:
 
   ///@{
   /**
-   * Rings of elements about the worst, from 0 to 100. Default 1.
+   * Number of rings of elements around the worst, from 0 to 100. Default 1.
    */
   vtkAtriaSetInRangeMacro(Rings, int, 0, 100);
   vtkGetMacro(Rings, int);

@@ -20,7 +20,7 @@ const char* roleName(PatchRole role)
   return names[static_cast<std::size_t>(role)];
 }
 
-/// Inlets that blow by themselves, by index of the patch, without those whose velocity a condition of the user gives.
+/// Returns the inlets with a supply, by index of the patch, except those whose velocity a condition of the user gives.
 std::vector<std::size_t> suppliesOf(const CaseOfDirection& flow)
 {
   std::vector<std::size_t> found;
@@ -39,7 +39,7 @@ double flowRateOf(const CaseOfDirection& flow, std::size_t patch)
   return flow.choices[patch].supply->flowRate(flow.mesh.patches[patch].area);
 }
 
-/// Mean over the inlets of a room, m/s.
+/// Returns the mean speed over the inlets of a room, m/s.
 double supplySpeed(const CaseOfDirection& flow)
 {
   double flowRate = 0.0;
@@ -70,7 +70,7 @@ void describeRoom(const CaseOfDirection& flow, Json& report)
   report["reference_speed"] = supplySpeed(flow);
 }
 
-/// The first of many.
+/// Returns the first of many texts.
 std::string listed(const std::vector<std::string>& texts)
 {
   constexpr std::size_t most = 6;
@@ -79,7 +79,7 @@ std::string listed(const std::vector<std::string>& texts)
          (texts.size() > most ? " and " + std::to_string(texts.size() - most) + " more" : "");
 }
 
-/// To three digits.
+/// Returns a number with three digits.
 std::string shortNumber(double value)
 {
   std::ostringstream text;
@@ -124,7 +124,7 @@ Json describeCase(const CaseOfDirection& flow)
   return report;
 }
 
-/// `towards` is where the wind blows to. A room has none.
+/// `towards` is the direction the wind blows to. A room has none.
 Json describeDirection(const CaseOfDirection& flow, double towards, const std::string& folder)
 {
   Json described = {{"folder", folder}};

@@ -12,20 +12,20 @@
 
 namespace atria {
 
-/// The content of case.json, with an empty list of directions.
+/// Returns the content of case.json, with an empty list of directions.
 nlohmann::ordered_json describeCase(const CaseOfDirection& flow);
-/// One entry of that list. `towards` is where the wind blows to, which a room's entry leaves out.
+/// Returns one entry of that list. `towards` is the direction the wind blows to; a room's entry leaves it out.
 nlohmann::ordered_json describeDirection(const CaseOfDirection& flow, double towards, const std::string& folder);
 
-/// What flows in and where out, in one sentence.
+/// Returns one sentence on the openings through which air enters and leaves the room.
 std::string summaryOfRoom(const CaseOfDirection& flow);
 
-/// A warning for each sheet that blows from both of its sides.
+/// Returns a warning for each sheet that blows from both of its sides.
 std::vector<std::string> warnOfSheets(const CaseOfDirection& flow);
 
 /// Folders of the directions in which the wind does not enter an inlet, by the inlet's name.
 using Windless = std::map<std::string, std::vector<std::string>>;
-/// A warning for each of these inlets. `folders` are those of all directions.
+/// Returns a warning for each of these inlets. `folders` are those of all directions.
 std::vector<std::string> warnOfWindless(const Windless& windless, const std::vector<std::string>& folders);
 
 } // namespace atria

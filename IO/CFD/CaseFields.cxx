@@ -14,12 +14,12 @@ namespace atria {
 
 namespace {
 
-/// Of air from a duct or a diffuser: speeds vary by a twentieth of their mean, and eddies have this share of the
+/// Turbulence of air from a duct or a diffuser: speeds vary by a twentieth of their mean. Eddies have this share of the
 /// opening's hydraulic diameter.
 constexpr double supplyIntensity = 0.05;
 constexpr double eddyShare = 0.07;
 
-/// What the turbulence model starts from and what comes back in at outlets.
+/// Initial values of the turbulence model, and its values in air that comes back in at outlets.
 struct Turbulence
 {
   double k = 0.0;       ///< m2/s2
@@ -27,7 +27,7 @@ struct Turbulence
   double omega = 0.0;   ///< 1/s
 };
 
-/// Four areas over the perimeter of a rectangle with the patch's area and diagonal, meters.
+/// Returns four areas over the perimeter of a rectangle with the patch's area and diagonal, meters.
 double hydraulicDiameter(const CasePatch& patch)
 {
   return 2.0 * patch.area / std::sqrt(patch.bounds.size().squaredNorm() + 2.0 * patch.area);
@@ -42,7 +42,7 @@ Turbulence turbulenceOf(const Supply& supply, const CasePatch& patch)
           std::sqrt(k) / (std::pow(turbulenceCmu, 0.25) * length)};
 }
 
-/// Of the wind at its reference height, or in a room of the inlet through which most air comes.
+/// Returns the turbulence of the wind at its reference height, or, in a room, of the inlet with the largest flow rate.
 Turbulence typicalTurbulence(const CaseOfDirection& flow)
 {
   double most = 0.0;
@@ -62,7 +62,7 @@ Turbulence typicalTurbulence(const CaseOfDirection& flow)
   return flow.isRoom() ? found : Turbulence{wind.kineticEnergy(), wind.dissipation(z), wind.specificDissipation(z)};
 }
 
-/// What the wind's profile is of.
+/// The quantity of a wind profile.
 enum Profile : std::uint8_t
 {
   ofVelocity,
@@ -137,7 +137,7 @@ public:
              turbulent(text, patch, choice, ofEpsilon, "epsilonWallFunction", epsilon);
            }});
     }
-    if (flow.settings.ageOfAir && !isFoundation(flow.settings.dialect)) // whose function makes its own
+    if (flow.settings.ageOfAir && !isFoundation(flow.settings.dialect)) // the Foundation's function makes it
     {
       fields.push_back({"age", "volScalarField", "[0 0 1 0 0 0 0]", "0",
                         [](auto& text, auto&, auto& choice) { age(text, choice); }});
@@ -146,7 +146,7 @@ public:
   }
 
 private:
-  /// The wind's profile of a field; what these conditions have in common.
+  /// Adds the entries that all conditions with the wind's profile share.
   void profile(FoamText& text, Profile of, const CasePatch& patch) const
   {
     if (flow.settings.dialect == OpenFOAMDialect::Foundation14)
@@ -170,7 +170,7 @@ private:
     }
   }
 
-  /// Of omega, for which OpenFOAM 1912 has no condition: a table over the height, finer near the ground.
+  /// Adds a profile of omega, for which OpenFOAM 1912 has no condition: a table over the height, finer near the ground.
   void omegaProfile(FoamText& text, const CasePatch& patch) const
   {
     constexpr int rows = 40;
@@ -185,7 +185,7 @@ private:
     text.entry("profile", table + ")").entry("direction", "(0 0 1)").entry("origin", patch.bounds.min[2]);
   }
 
-  /// Along the inward normal of each face, with the same speed.
+  /// Adds an inflow along the inward normal of each face, with the same speed.
   static void blow(FoamText& text, const Supply& supply)
   {
     if (supply.quantity == Supply::Speed)
@@ -227,7 +227,7 @@ private:
     }
   }
 
-  /// An opening of a room to still air, which air passes either way.
+  /// True for an opening of a room to still air, which air passes either way.
   bool isRoomOpening(const PatchChoice& choice) const { return flow.isRoom() && choice.role == PatchRole::InletOutlet; }
 
   void pressure(FoamText& text, const PatchChoice& choice) const
@@ -253,7 +253,7 @@ private:
     }
   }
 
-  /// What comes with the air of a supply; OpenFOAM takes it from the velocity, also from one that is edited.
+  /// Adds the turbulence of a supply's air. OpenFOAM computes it from the velocity, also from an edited one.
   void supplied(FoamText& text, const CasePatch& patch, const Supply& supply, const std::string& wallFunction) const
   {
     const Turbulence its = turbulenceOf(supply, patch);
@@ -369,7 +369,7 @@ void writeField(const std::filesystem::path& folder, const Field& field, const C
   text.entry("dimensions", field.dimensions).blank();
   text.entry("internalField", "uniform " + field.inside).blank();
   text.open("boundaryField");
-  // All but what follows. A name goes before a pattern.
+  // This covers all patches except those below: a name goes before a pattern.
   text.open("\".*\"");
   field.condition(text, {}, {PatchRole::Wall, 0.0});
   text.close();
@@ -399,7 +399,7 @@ void writeField(const std::filesystem::path& folder, const Field& field, const C
   }
   if (flow.settings.processors > 1)
   {
-    // The group of patches between processors, which goes before a pattern.
+    // Adds the group of patches between processors, which goes before a pattern.
     text.open("processor").entry("type", "processor").entry("value", "$internalField").close();
   }
   text.close();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// The folder 0 of a flow case: initial fields and boundary conditions.
 #pragma once
 
 #include "FlowCase.h"
@@ -6,13 +7,13 @@
 
 namespace atria {
 
-/// What the files of one wind direction, or of a room, are written from.
+/// A flow case for one wind direction, or for a room; its files are written from it.
 struct CaseOfDirection
 {
   const CaseMesh& mesh;
   const FlowCaseSettings& settings;
-  Vec3 wind;                        ///< of length 1; zero in a room
-  std::vector<PatchChoice> choices; ///< by patch
+  Vec3 wind;                        ///< length 1; zero in a room
+  std::vector<PatchChoice> choices; ///< one per patch
   std::vector<Vec3> probes;
 
   std::vector<std::string> namesOf(PatchRole role) const;
@@ -20,7 +21,7 @@ struct CaseOfDirection
   bool usesOmega() const { return settings.turbulence == TurbulenceModel::KOmegaSST; }
 };
 
-/// Writes the folder 0. Throws Error where a condition rule names a field that there is not.
+/// Writes the folder 0. Throws Error if a condition rule names an unknown field.
 void writeFields(const std::filesystem::path& folder, const CaseOfDirection& flow);
 
 } // namespace atria

@@ -7,22 +7,22 @@ namespace atria {
 
 namespace {
 
-/// Of air at 15 degrees Celsius, kg/m3.
+/// Density of air at 15 degrees Celsius, kg/m3.
 constexpr double airDensity = 1.225;
 
-/// The name as OpenFOAM takes it in a list of words or patterns.
+/// Returns a name for OpenFOAM's lists of words or patterns.
 std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
 void everyStep(FoamText& text) { text.entry("writeControl", "timeStep").entry("writeInterval", "1"); }
 
-/// Whether flows are summed up with their signs.
+/// Sum of flows: with their signs (Net), or of their magnitudes (BothWays).
 enum class Flow
 {
   Net,
   BothWays
 };
 
-/// The sum over faces of the flow, m3/s.
+/// Adds a function that sums the flow over faces, m3/s.
 void addFlow(FoamText& text, OpenFOAMDialect dialect, const std::string& function, const char* region,
              const std::string& name, Flow kind)
 {
@@ -36,14 +36,14 @@ void addFlow(FoamText& text, OpenFOAMDialect dialect, const std::string& functio
   }
   else if (dialect == OpenFOAMDialect::Foundation)
   {
-    // As 11 asks for, and as 13 does; each passes over the other's.
+    // Versions 11 and 13 need different keywords; each ignores the other's.
     text.entry("select", region).entry("name", name).entry(region, name);
   }
   else
   {
     text.entry(region, name);
   }
-  // OpenCFD's sum heeds the orientation of a zone's faces by itself.
+  // OpenCFD's sum respects the orientation of a zone's faces.
   const char* const net = isFoundations ? "orientedSum" : "sum";
   text.entry("operation", kind == Flow::Net ? net : "sumMag").entry("fields", "(phi)");
   text.close();
@@ -54,7 +54,7 @@ void addFlows(FoamText& text, const CaseOfDirection& flow)
   const auto add = [&](const std::string& function, const char* region, const std::string& name, Flow kind) {
     addFlow(text, flow.settings.dialect, function, region, name, kind);
   };
-  // What comes in and goes out follows from both sums.
+  // Inflow and outflow follow from both sums.
   for (const CaseOpening& opening : flow.mesh.openings)
   {
     add("flow_" + opening.name, "faceZone", opening.name, Flow::Net);
@@ -106,8 +106,8 @@ void addProbes(FoamText& text, const CaseOfDirection& flow)
   text.line(");").close();
 }
 
-/// The transport of a scalar that grows by one second a second. The Foundation has a function of its own, which begins
-/// at zero where it writes; 14 has it in another library, and reads nCorr in fvSolution.
+/// Adds the transport of a scalar that grows by one second per second. The Foundation has a function of its own, which
+/// begins at zero each time it writes. Version 14 has it in another library, and reads nCorr in fvSolution.
 void addAge(FoamText& text, OpenFOAMDialect dialect)
 {
   if (isFoundation(dialect))

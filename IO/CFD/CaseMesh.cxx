@@ -16,7 +16,7 @@ namespace {
 /// Share of a patch's area that its area vector must have for the patch to count as plane.
 constexpr double planeShare = 0.99;
 constexpr double uprightCosine = 0.05;
-/// The same for an opening, of which layers may bend faces at the border.
+/// The same for an opening, whose faces layers may bend at the border.
 constexpr double planeShareOfOpening = 0.95;
 
 bool isSide(const CasePatch& patch)
@@ -70,7 +70,7 @@ void findPatchesAtSides(const PolyMesh& poly, std::vector<CasePatch>& patches)
   }
 }
 
-/// The zone of every cell, -1 for none; of zones that overlap the last.
+/// Returns the zone of every cell, -1 for none. The last of overlapping zones holds.
 std::vector<int> zonesOfCells(const PolyMesh& poly)
 {
   std::vector<int> zoneOf(poly.mesh.cellCount, -1);
@@ -84,7 +84,7 @@ std::vector<int> zonesOfCells(const PolyMesh& poly)
   return zoneOf;
 }
 
-/// The rooms behind and before most of a zone's faces.
+/// Returns the rooms behind and before most of a zone's faces.
 std::array<std::string, 2> roomsBeside(const PolyMesh& poly, const FaceZone& zone, const std::vector<int>& zoneOf)
 {
   std::array<std::map<std::string, std::size_t>, 2> found;
@@ -183,7 +183,7 @@ CaseMesh describeMesh(const PolyMesh& poly, const RunContext& context)
 std::vector<Vec3> probePlaces(const PolyMesh& poly, const std::vector<std::string>& ground, const Box3& over,
                               double height, std::size_t most)
 {
-  // A face for each square of a grid that has about as many squares as there may be places.
+  // Picks a face for each square of a grid with about as many squares as there may be places.
   const Vec3 size = over.size();
   const double step = std::sqrt(size[0] * size[1] / static_cast<double>(most));
   if (!(step > 0.0))

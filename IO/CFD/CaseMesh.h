@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a flow case must know of its mesh.
+/// The quantities of a mesh that a flow case depends on.
 #pragma once
 
 #include "PolyMesh.h"
@@ -20,7 +20,7 @@ struct CasePatch
   Box3 bounds;
   bool meetsSides = false; ///< shares points with an upright, plane patch that is no wall
 
-  /// How much of the patch faces one way, 0 to 1: a plane has 1, a closed surface 0.
+  /// Returns the share of the patch that faces one way, 0 to 1: 1 for a plane, 0 for a closed surface.
   double flatness() const { return area > 0.0 ? areaVector.norm() / area : 0.0; }
 };
 
@@ -28,7 +28,7 @@ struct CasePatch
 struct CaseOpening
 {
   std::string name;
-  double area = 0.0; ///< square meters; of one that is nearly plane, that of its outline
+  double area = 0.0; ///< square meters; for a nearly plane opening, the area of its outline
   std::array<std::string, 2> rooms;
 };
 
@@ -51,7 +51,7 @@ struct CaseMesh
   double worstNonOrthogonality = 0.0; ///< degrees
   double meanNonOrthogonality = 0.0;  ///< degrees
   double worstSkewness = 0.0;
-  int failedChecks = 0; ///< of checkMesh -allGeometry
+  int failedChecks = 0; ///< as checkMesh -allGeometry counts them
   std::vector<CasePatch> patches;
   std::vector<CaseOpening> openings;
   std::vector<CaseRoom> rooms; ///< without the outdoors
@@ -59,7 +59,7 @@ struct CaseMesh
 
 CaseMesh describeMesh(const PolyMesh& poly, const RunContext& context);
 
-/// At most `most` places, spread over `over`, `height` above faces of the named patches.
+/// Returns at most `most` places, spread over `over`, `height` above faces of the named patches. Lengths in meters.
 std::vector<Vec3> probePlaces(const PolyMesh& poly, const std::vector<std::string>& ground, const Box3& over,
                               double height, std::size_t most);
 

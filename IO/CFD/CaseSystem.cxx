@@ -9,7 +9,7 @@ namespace atria {
 
 namespace {
 
-/// Of air at 15 degrees Celsius, m2/s.
+/// Kinematic viscosity of air at 15 degrees Celsius, m2/s.
 constexpr double airViscosity = 1.5e-5;
 
 const char* modelName(TurbulenceModel model)
@@ -19,7 +19,8 @@ const char* modelName(TurbulenceModel model)
                                                         : "kOmegaSST";
 }
 
-/// Iterations between fields that are written. The last must be among those: OpenFOAM writes none at the end by itself.
+/// Returns the number of iterations between written fields. It divides `iterations`: OpenFOAM does not write at the end
+/// by itself.
 int iterationsBetweenFields(int iterations)
 {
   constexpr int most = 500;

@@ -26,7 +26,7 @@ void check(int status)
   }
 }
 
-/// A file with one base of one zone. It is closed whatever happens.
+/// A file with one base of one zone. The destructor closes it.
 class CgnsFile
 {
 public:
@@ -66,7 +66,7 @@ public:
     check(cg_exponents_write(CGNS_ENUMV(RealDouble), length.data()));
   }
 
-  /// Elements whose numbers follow each other from `first` on.
+  /// Writes a section of elements with consecutive numbers from `first` on.
   int writeSection(const char* name, CGNS_ENUMT(ElementType_t) type, std::size_t first,
                    const std::vector<cgsize_t>& elements, const std::vector<cgsize_t>& offsets) const
   {
@@ -82,7 +82,7 @@ public:
     check(cg_parent_data_write(file, base, zone, section, parents.data()));
   }
 
-  /// What a boundary condition is says its family.
+  /// Writes a family, which states the type of a boundary condition.
   void writeFamily(const std::string& name, CGNS_ENUMT(BCType_t) type, const std::string& original) const
   {
     int family = 0;
@@ -93,7 +93,7 @@ public:
     check(cg_descriptor_write("OriginalName", original.c_str()));
   }
 
-  /// The faces [first, first + count) of a patch, with its family, and with the group's where it has one.
+  /// Writes the faces [first, first + count) of a patch, with its family, and with that of its group if it has one.
   void writeBoundary(const PatchName& name, std::size_t first, std::size_t count) const
   {
     int condition = 0;
@@ -152,7 +152,8 @@ void writePoints(const CgnsFile& file, const FaceMesh& mesh)
   }
 }
 
-/// By face the elements of its two cells, owner first, 0 on the boundary; then its place among the faces of each.
+/// Returns the elements of each face's two cells, owners first, 0 on the boundary; then the face's place among the
+/// faces of each cell.
 std::vector<cgsize_t> parentsOf(const FaceMesh& mesh, const CellFaces& cellFaces)
 {
   const std::size_t count = mesh.faceCount();
@@ -179,7 +180,7 @@ void writeFaces(const CgnsFile& file, const FaceMesh& mesh, const CellFaces& cel
   file.writeParents(section, parentsOf(mesh, cellFaces));
 }
 
-/// A cell's faces by number, negative where their normals look into it.
+/// Writes each cell's faces by number, negative if their normals point into the cell.
 void writeCells(const CgnsFile& file, const FaceMesh& mesh, const CellFaces& cellFaces)
 {
   std::vector<cgsize_t> faces(cellFaces.entries.size());
@@ -218,11 +219,10 @@ void writePatches(const CgnsFile& file, const SolverMesh& mesh)
   }
 }
 
-/// Of cells. Face zones are left out: cgnscheck takes what is within the mesh for
-/// cells.
+/// Writes zones of cells. Face zones are left out: cgnscheck takes faces inside the mesh for cells.
 void writeZones(const CgnsFile& file, const SolverMesh& mesh)
 {
-  std::vector<std::string> names{"Faces", "Cells", "GridCoordinates", "ZoneBC", "ZoneType"}; // which are taken
+  std::vector<std::string> names{"Faces", "Cells", "GridCoordinates", "ZoneBC", "ZoneType"}; // names already used
   const auto taken = static_cast<std::ptrdiff_t>(names.size());
   std::ranges::transform(mesh.cellZones, std::back_inserter(names), &CellZone::name);
   const std::vector<PatchName> words = makePatchNames(names, cgnsNames);

@@ -9,11 +9,11 @@
 
 namespace atria {
 
-/// CGNS takes any character but a slash, 32 of them; ASCII is what all readers understand.
+/// CGNS accepts any character but a slash, up to 32 of them; ASCII is what all readers understand.
 inline constexpr NameRules cgnsNames{
     .punctuation = " !\"#$%&'()*+,-.:;<=>?@[\\]^_`{|}~", .anyStart = true, .longest = 32};
 
-/// Whether libcgns was there when this was built.
+/// True if Atria was built with libcgns.
 bool cgnsIsAvailable();
 
 /// Writes faces (NGON_n), cells (NFACE_n), patches with families, and zones as sub-regions. Throws Error for a file

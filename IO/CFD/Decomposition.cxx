@@ -28,10 +28,10 @@ struct PartFaces
   std::vector<Label> faces;
   std::size_t internal = 0;
   std::vector<std::size_t> ofPatch;           ///< number in each patch of the whole mesh
-  std::map<Index, std::vector<Label>> shared; ///< by the other part
+  std::map<Index, std::vector<Label>> shared; ///< keyed by the other part
 };
 
-/// Faces of the whole mesh in the order of its files.
+/// Returns the faces of the whole mesh in the order of its files.
 std::vector<Index> facesInFile(const PolyMesh& poly)
 {
   std::vector<Index> faces(poly.mesh.internalFaceCount());
@@ -87,7 +87,7 @@ std::vector<PartFaces> distributeFaces(const PolyMesh& poly, std::span<const Ind
   return out;
 }
 
-/// Where each member of zones is in them: member, zone, flip; sorted.
+/// The zones that members are in, sorted: member, zone, flip.
 using Members = std::vector<std::tuple<Index, std::size_t, char>>;
 
 std::span<const Members::value_type> zonesOf(const Members& members, Index member)

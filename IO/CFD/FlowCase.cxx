@@ -21,10 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t mostProbes = 100;
-/// Probes stand as far from buildings as these are high, in this many heights.
+/// Distance of probes from buildings, in heights of these.
 constexpr double probeHeights = 1.5;
 
-/// From the domain's xMin to its xMax, or against its first side, where there is such a side.
+/// Returns the direction from the domain's xMin to its xMax, or against its first side, if there is such a side.
 double directionOfDomain(const CaseMesh& mesh)
 {
   for (const CasePatch& patch : mesh.patches)
@@ -37,7 +37,7 @@ double directionOfDomain(const CaseMesh& mesh)
   return 0.0;
 }
 
-/// Where probes go: about the walls, or over the whole ground without any.
+/// Returns the box for probes: around the walls, or over the whole ground if there are none.
 Box3 surroundings(const CaseMesh& mesh, const std::vector<PatchChoice>& choices)
 {
   Box3 walls;
@@ -57,7 +57,8 @@ Box3 surroundings(const CaseMesh& mesh, const std::vector<PatchChoice>& choices)
   return {(walls.min - margin).cwiseMax(mesh.bounds.min), (walls.max + margin).cwiseMin(mesh.bounds.max)};
 }
 
-/// Mesh types of patches whose role needs another one. Roles that depend on the wind are all of type `patch`.
+/// Returns new mesh types for patches whose role needs another one. Roles that depend on the wind are all of type
+/// `patch`.
 std::map<std::string, std::string> changedTypes(const CaseMesh& mesh, const std::vector<PatchChoice>& choices)
 {
   std::map<std::string, std::string> types;
@@ -137,7 +138,7 @@ std::string scriptOfAll(const std::vector<std::string>& folders, const char* scr
   return text;
 }
 
-/// `other` is the case that has the mesh, as seen from the folder constant.
+/// Links a mesh. `other` is the case that has the mesh, as seen from the folder constant.
 void linkMesh(const fs::path& folder, const fs::path& other)
 {
   makeFolder(folder / "constant");
@@ -164,8 +165,8 @@ void setTypes(const fs::path& caseFolder, PolyMesh& poly, const std::map<std::st
   }
 }
 
-/// The fields of each processor, which are the case's as long as these are uniform, and of a direction a link to its
-/// mesh.
+/// Writes the fields of each processor, which equal the case's as long as these are uniform. A direction also gets a
+/// link to each processor's mesh.
 void addProcessors(const fs::path& folder, bool isDirection, int processors)
 {
   for (int i = 0; processors > 1 && i < processors; ++i)
@@ -184,7 +185,7 @@ void addProcessors(const fs::path& folder, bool isDirection, int processors)
   }
 }
 
-/// The folders of the directions, within that of the case.
+/// Returns the folders of the directions, within that of the case.
 std::vector<std::string> foldersOf(const FlowCaseSettings& settings)
 {
   if (settings.directions.size() == 1)
@@ -269,7 +270,7 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
   nlohmann::ordered_json report;
   WrittenCase written{settings.kind, {}, {}};
   Windless windless;
-  removeProcessors(caseFolder); // of another mesh, and of another number
+  removeProcessors(caseFolder); // they belong to another mesh or number of processors
   for (std::size_t d = 0; d < folders.size(); ++d)
   {
     const fs::path folder = folders[d] == "." ? caseFolder : caseFolder / folders[d];

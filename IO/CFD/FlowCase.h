@@ -22,7 +22,7 @@ enum class TurbulenceModel
   KOmegaSST
 };
 
-/// Whose OpenFOAM the case is for.
+/// The OpenFOAM distribution that the case is for.
 enum class OpenFOAMDialect
 {
   OpenCFD1912, ///< as Debian 12 has it
@@ -36,15 +36,15 @@ inline bool isFoundation(OpenFOAMDialect dialect)
   return dialect == OpenFOAMDialect::Foundation || dialect == OpenFOAMDialect::Foundation14;
 }
 
-/// What moves the air.
+/// The cause of the flow.
 enum class FlowKind
 {
-  Automatic, ///< Room where isRoom() says so, else Wind
+  Automatic, ///< Room if isRoom() says so, else Wind
   Wind,      ///< the atmosphere's wind, which crosses the sides of the domain
   Room       ///< inlets that blow into a space between walls
 };
 
-/// How an inlet blows air in, along its own normal.
+/// Quantity of air that an inlet blows in, along its own normal.
 struct Supply
 {
   enum Quantity
@@ -55,7 +55,7 @@ struct Supply
   Quantity quantity = Speed;
   double amount = 1.0;
 
-  /// m/s and m3/s, through an area in square meters.
+  /// Return m/s and m3/s, through an area in square meters.
   double speed(double area) const { return quantity == Speed ? amount : amount / area; }
   double flowRate(double area) const { return quantity == FlowRate ? amount : amount * area; }
 };
@@ -75,20 +75,20 @@ enum class PatchRole
 struct PatchChoice
 {
   PatchRole role = PatchRole::Wall;
-  double sandGrain = 0.0; ///< of a RoughWall, meters
-  /// How an Inlet blows. Without it an inlet of a wind case has the wind's profile, and one of a room the room's
+  double sandGrain = 0.0; ///< height of the sand grains of a RoughWall, meters
+  /// Supply of an Inlet. Without it an inlet of a wind case has the wind's profile, and one of a room the room's
   /// supply.
   std::optional<Supply> supply = std::nullopt;
 };
 
-/// What a user says of patches whose name matches; of several rules that match the last holds.
+/// A user's choice for patches whose name matches. The last of several matching rules holds.
 struct PatchRule
 {
   std::string pattern; ///< see matchesPattern; of names in the model or in the case
   PatchChoice choice;
 };
 
-/// Entries that replace those of patches whose name matches in one field.
+/// Entries that replace those of patches whose name matches, in one field.
 struct ConditionRule
 {
   std::string pattern;
@@ -100,39 +100,39 @@ struct FlowCaseSettings
 {
   FlowKind kind = FlowKind::Automatic;
   WindProfile wind;
-  Supply supply; ///< of each inlet of a room whose rule gives none
-  /// Where the wind blows to, degrees from x, counterclockwise from above. One makes a plain case; several make a
-  /// folder of a case for each, which share the mesh. None: from the domain's xMin to its xMax, or into its
-  /// domainSide1.
+  Supply supply; ///< for each inlet of a room whose rule gives none
+  /// Directions the wind blows to, degrees from x, counterclockwise from above. One makes a plain case. Several make a
+  /// folder of a case for each, and these share the mesh. Without any the wind blows from the domain's xMin to its
+  /// xMax, or into its domainSide1.
   std::vector<double> directions;
   double north = 0.0; ///< degrees from y, counterclockwise; names the directions
   TurbulenceModel turbulence = TurbulenceModel::RealizableKEpsilon;
   OpenFOAMDialect dialect = OpenFOAMDialect::OpenCFD1912;
   int iterations = 1000;
   int processors = 1;
-  OpenFOAMFormat format = OpenFOAMFormat::Ascii; ///< of the processors' meshes
+  OpenFOAMFormat format = OpenFOAMFormat::Ascii; ///< for the processors' meshes
   double pedestrianHeight = 1.75;                ///< meters
   bool ageOfAir = false;
   std::vector<PatchRule> patchRules;
   std::vector<ConditionRule> conditionRules;
 };
 
-/// Of "inlet", "inlet:0.5m/s", "rough:0.02" and so on. Throws Error naming what there is.
+/// Parses "inlet", "inlet:0.5m/s", "rough:0.02" and so on. Throws Error listing the known roles.
 PatchChoice patchChoiceFrom(const std::string& text);
-/// Of `PATTERN ROLE` and `PATTERN FIELD ENTRIES`, the pattern in double quotes where it holds blanks. Throw Error where
-/// a part is missing.
+/// Parse `PATTERN ROLE` and `PATTERN FIELD ENTRIES`. A pattern with blanks is in double quotes. Throw Error if a part
+/// is missing.
 PatchRule patchRuleFrom(const std::string& text);
 ConditionRule conditionRuleFrom(const std::string& text);
 
-/// The role of every patch for wind in the direction `wind`. By themselves
+/// Returns the role of every patch for wind in the direction `wind`. Without a rule:
 /// - patches of a constraint type keep it;
 /// - sides, which are plane, upright and no walls, are inlets where the wind crosses them inwards, outlets where it
 ///   does so outwards, and slip where it runs along them to a degree; an upright patch that is not plane, such as a
 ///   cylinder, is both by the flow;
-/// - what faces down (the sky) is slip;
-/// - what faces up is ground if it is no wall, or a wall that reaches sides;
+/// - patches that face down (the sky) are slip;
+/// - patches that face up are ground if they are no wall, or a wall that reaches sides;
 /// - all others are walls.
-/// Throws Error where a rule matches no patch, and where no patch lets air in or none lets it out.
+/// Throws Error if a rule matches no patch, if no patch lets air in or if none lets it out.
 std::vector<PatchChoice> choosePatches(const CaseMesh& mesh, const FlowCaseSettings& settings, const Vec3& wind);
 
 /// Returns true for a mesh that is a ventilated room. All of these hold:
@@ -142,32 +142,32 @@ std::vector<PatchChoice> choosePatches(const CaseMesh& mesh, const FlowCaseSetti
 /// A patch that a rule makes ground, a side that slips, and a patch of a constraint type belong to wind cases.
 bool isRoom(const CaseMesh& mesh, const FlowCaseSettings& settings);
 
-/// The role of every patch of a room. By themselves patches are inlets and outlets by their names, and walls. Each
-/// inlet has its supply. Throws Error where a rule matches no patch, where a rule makes a patch ground, and where no
-/// patch blows air in or none lets it out.
+/// Returns the role of every patch of a room. Without a rule, patches are inlets and outlets by their names, and all
+/// others walls. Each inlet has its supply. Throws Error if a rule matches no patch, if a rule makes a patch ground, if
+/// no patch blows air in or if none lets it out.
 std::vector<PatchChoice> chooseRoomPatches(const CaseMesh& mesh, const FlowCaseSettings& settings);
 
 /// Returns names of inlets that the wind does not enter, because it runs along them or out of them. The air at such an
-/// inlet stands still. Those that blow by themselves are not among them, nor are those whose velocity a condition
-/// gives, and patches that face all ways.
+/// inlet stands still. Not included are inlets with a supply, inlets whose velocity a condition gives, and patches that
+/// face all ways.
 std::vector<std::string> inletsWithoutWind(const CaseMesh& mesh, const FlowCaseSettings& settings,
                                            const std::vector<PatchChoice>& choices, const Vec3& wind);
 
-/// The last rule for a patch in a field, or null.
+/// Returns the last rule for a patch in a field, or null.
 const ConditionRule* conditionOf(const FlowCaseSettings& settings, const std::string& field, const std::string& patch);
 
 struct WrittenCase
 {
   FlowKind kind = FlowKind::Wind; ///< never Automatic
-  std::string summary;            ///< of a room: what flows in and where out, in a sentence
+  std::string summary;            ///< openings of a room through which air enters and leaves, one sentence
   std::vector<std::string> warnings;
 };
 
-/// Writes the case beside its mesh: 0, constant, system, Allrun, Allclean, and case.json, which tells `atria report`
-/// what the case is. Of several directions each has a folder `wind_<from>` with a link to the mesh. Sets the types of
-/// patches in the mesh's `boundary` to `wall` or `patch` by their role. For several processors each has its part in
+/// Writes the case beside its mesh: 0, constant, system, Allrun, Allclean, and case.json, which describes the case to
+/// `atria report`. Each of several directions has a folder `wind_<from>` with a link to the mesh. Sets the types of
+/// patches in the mesh's `boundary` to `wall` or `patch` by their role. Each of several processors has its part in
 /// `processor<i>`, as decomposePar would make it. Throws Error as choosePatches() or chooseRoomPatches() does, for a
-/// room with wind directions, and for what cannot be written.
+/// room with wind directions, and for files that cannot be written.
 WrittenCase writeFlowCase(const std::filesystem::path& caseFolder, FlowCaseSettings settings,
                           const RunContext& context);
 

@@ -31,10 +31,10 @@ enum FluentCell : int
   fluentPolyhedron = 7
 };
 
-/// The type that a cell's faces make. A polyhedron is any that is none of the others.
+/// Returns the type that a cell's faces make. Any cell of no other type is a polyhedron.
 FluentCell typeOf(const FaceMesh& mesh, std::span<const Index> faces)
 {
-  constexpr std::size_t mostCorners = 24; // of six quadrilaterals
+  constexpr std::size_t mostCorners = 24; // six quadrilaterals
   if (faces.size() > 6)
   {
     return fluentPolyhedron;
@@ -54,7 +54,7 @@ FluentCell typeOf(const FaceMesh& mesh, std::span<const Index> faces)
   }
   std::sort(corners.begin(), corners.begin() + count);
   const auto points = static_cast<std::size_t>(std::unique(corners.begin(), corners.begin() + count) - corners.begin());
-  // By faces, quadrilaterals among them, and points. A closed ball that has these is of the type.
+  // The numbers of faces, of quadrilaterals among them, and of points. A closed cell with these is of the type.
   struct Type
   {
     std::size_t faces;
@@ -74,7 +74,7 @@ FluentCell typeOf(const FaceMesh& mesh, std::span<const Index> faces)
   return fluentPolyhedron;
 }
 
-/// Cells of a zone, which have numbers that follow each other.
+/// The cells of a zone, with consecutive numbers.
 struct CellSection
 {
   std::string name;
@@ -122,7 +122,7 @@ private:
   static constexpr std::size_t firstCellZone = 2;
   std::size_t firstFaceZone() const { return firstCellZone + cellZones.size(); }
 
-  /// A cell is in one zone: where there are several, such as a tree in a room, in the last.
+  /// Puts each cell into one zone: the last of several, such as a tree in a room.
   void numberCells()
   {
     std::vector<std::string> names{"fluid"};
@@ -150,7 +150,7 @@ private:
     }
   }
 
-  /// Internal faces by the zones of their cells, but for those of face zones, which come next, then patches.
+  /// Sorts internal faces by the zones of their cells. Faces of face zones follow, then patches.
   void sortFaces()
   {
     std::vector<bool> inZone(mesh.internalFaceCount(), false);
@@ -193,7 +193,7 @@ private:
     }
   }
 
-  /// Patches keep their names where others would have the same.
+  /// Names zones. A patch keeps its name if a zone has the same.
   void nameZones()
   {
     std::vector<std::string> others;
@@ -274,7 +274,7 @@ private:
     writtenFaces += zone.faces.size();
     for (const Index f : zone.faces)
     {
-      // Fluent's faces look into the cell that is named first.
+      // Fluent's faces point into the cell that is named first.
       const auto loop = mesh.face(f);
       file.hex(loop.size());
       for (auto point = loop.rbegin(); point != loop.rend(); ++point)
@@ -312,9 +312,9 @@ private:
   std::vector<CellSection> cellZones;
   std::vector<FaceSection> faceZones;
   std::vector<PatchName> patchNames;
-  std::vector<Index> newCell; ///< of each cell its number in the file
-  std::vector<Index> oldCell; ///< and the other way
-  std::vector<Index> zoneOf;  ///< of each cell, in cellZones
+  std::vector<Index> newCell; ///< number in the file, one per cell
+  std::vector<Index> oldCell; ///< the inverse
+  std::vector<Index> zoneOf;  ///< index in cellZones, one per cell
   std::size_t writtenFaces = 0;
 };
 

@@ -9,7 +9,7 @@
 
 namespace atria {
 
-/// Zones of Fluent are told apart without regard to capitals. The sides of a sheet are a wall and its shadow.
+/// Zone names in Fluent are compared without regard to capitals. The sides of a sheet are a wall and its shadow.
 inline constexpr NameRules fluentNames{.punctuation = "_.-", .caseMatters = false, .sides = {"", "-shadow"}};
 
 /// Writes Fluent's mesh format as text: points, cells with their types, faces zone by zone, names of zones. Walls are

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// zlib reads what is not compressed as it is.
+/// Returns the content of a file. zlib reads uncompressed files unchanged.
 std::string contentOf(const fs::path& path)
 {
   const fs::path zipped = path.string() + ".gz";
@@ -223,7 +223,7 @@ std::int64_t FoamParser::rawLabel()
 template <typename Entry, typename Raw, typename Text> std::vector<Entry> FoamParser::list(Raw&& raw, Text&& text)
 {
   const std::size_t number = count();
-  if (take('{')) // as many times the same
+  if (take('{')) // the same entry so many times
   {
     std::vector<Entry> same(number, text());
     expect('}');

@@ -12,41 +12,41 @@
 
 namespace atria {
 
-/// A file of a polyMesh, read from its beginning. All that fails throws Error naming file and line.
+/// A file of a polyMesh, read from its beginning. All failures throw Error naming file and line.
 class FoamParser
 {
 public:
-  /// Reads `path`, or `path`.gz where it is not there, and the header FoamFile.
+  /// Reads `path`, or `path`.gz if `path` does not exist, and the header FoamFile.
   explicit FoamParser(const std::filesystem::path& path);
 
-  /// Of the header: what kind of content it is.
+  /// Returns the kind of content that the header states.
   const std::string& className() const { return kind; }
 
-  /// Whether nothing but space and comments is left.
+  /// True if only blanks and comments are left.
   bool atEnd();
-  /// Whether the next sign is this; it is taken then.
+  /// Returns true and moves past the next sign if it is this one.
   bool take(char sign);
   void expect(char sign);
-  /// A name, a number or a text in quotes, without these.
+  /// Reads a name, a number or a text in quotes, and returns it without the quotes.
   std::string word();
   std::int64_t label();
   double scalar();
-  /// An entry's value, up to ';', as it stands there, and where.
+  /// An entry's value up to ';', unchanged, and its place in the file.
   struct Value
   {
     std::string text;
     std::size_t offset = 0;
   };
   Value untilSemicolon();
-  /// `{ key value; ... }` without dictionaries in it.
+  /// Reads `{ key value; ... }`; nested dictionaries are not accepted.
   std::map<std::string, Value> entries();
 
   std::vector<Index> labels();
-  /// 0 or 1 each.
+  /// Reads a list of flags, 0 or 1 each.
   std::vector<char> flags();
   std::vector<Vec3> vectors();
 
-  /// The whole file.
+  /// Returns the whole file.
   const std::string& text() const { return content; }
 
   [[noreturn]] void fail(const std::string& what) const;
@@ -55,9 +55,9 @@ private:
   void skipSpace();
   void readHeader();
   template <typename Number> Number number(const char* what);
-  /// The number of a list's entries, which is refused where the file is too short for as many.
+  /// Reads the number of a list's entries. Fails if it is negative or too large.
   std::size_t count();
-  /// A list of what `one` reads; `N{value}` is N times the same.
+  /// Reads a list, entry by entry with `raw` or `text`; `N{value}` is N times the same.
   template <typename Entry, typename Raw, typename Text> std::vector<Entry> list(Raw&& raw, Text&& text);
   const char* bytes(std::size_t number);
   std::int64_t rawLabel();

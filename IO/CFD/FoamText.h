@@ -14,15 +14,15 @@ namespace atria {
 class FoamText
 {
 public:
-  /// `key value;`, values in one column.
+  /// Adds `key value;`, with values in one column.
   FoamText& entry(std::string_view key, std::string_view value);
   FoamText& entry(std::string_view key, double value);
-  /// `name { ...` and `}`.
+  /// Add `name { ...` and `}`.
   FoamText& open(std::string_view name);
   FoamText& close();
   FoamText& blank();
   FoamText& comment(std::string_view text);
-  /// A line as it is.
+  /// Adds a line unchanged.
   FoamText& line(std::string_view text);
 
   const std::string& text() const { return written; }
@@ -34,18 +34,18 @@ private:
   std::size_t depth = 0;
 };
 
-/// The shortest digits that read back to the same value; a zero without sign.
+/// Returns the shortest digits that read back to the same value; a zero without sign.
 std::string foamNumber(double value);
-/// `(x y z)`.
+/// Returns `(x y z)`.
 std::string foamVector(const Vec3& v);
-/// `(a b c)`.
+/// Returns `(a b c)`.
 std::string foamList(std::span<const std::string> words);
 
 /// Writes a file of a case with OpenFOAM's header; `location` is its folder within the case. Makes the folder. Throws
 /// Error naming the file.
 void writeFoamFile(const std::filesystem::path& caseFolder, std::string_view location, std::string_view name,
                    std::string_view className, const FoamText& content);
-/// Writes a file beside its place and moves it there. Throws Error naming it.
+/// Writes a file beside its place and moves it there. Throws Error naming the file.
 void writePlainFile(const std::filesystem::path& path, std::string_view content);
 
 } // namespace atria

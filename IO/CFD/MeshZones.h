@@ -9,12 +9,12 @@
 
 namespace atria {
 
-/// Internal faces.
+/// A set of internal faces under one name.
 struct FaceZone
 {
   std::string name;
   std::vector<Index> faces;
-  std::vector<char> flips; ///< per face, whether the zone's normal points into its owner
+  std::vector<char> flips; ///< per face, true if the zone's normal points into the face's owner
 };
 
 struct CellZone

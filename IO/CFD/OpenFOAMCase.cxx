@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An earlier mesh's zones or compressed files would be read along with, or instead of, the new ones.
+/// Removes zones and compressed files of an earlier mesh, which would be read along with, or instead of, the new ones.
 void removeEarlierMesh(const fs::path& folder)
 {
   std::vector<fs::path> files;
@@ -32,7 +32,7 @@ void removeEarlierMesh(const fs::path& folder)
   removeFiles(files);
 }
 
-/// A name as it may stand in a comment of one line.
+/// Returns a name for a comment of one line.
 std::string comment(std::string name)
 {
   std::replace_if(
@@ -40,7 +40,7 @@ std::string comment(std::string name)
   return '"' + name + '"';
 }
 
-/// With names that OpenFOAM takes.
+/// Returns zones with names valid in OpenFOAM.
 template <typename Zone> std::vector<Zone> withNames(std::vector<Zone> zones)
 {
   std::vector<std::string> names;
@@ -63,7 +63,7 @@ void writeDictionary(const fs::path& caseFolder, const char* name, std::string_v
   }
 }
 
-/// Whether OpenFOAM would take a folder of that name for the fields of a time after the first.
+/// True if OpenFOAM would take a folder of that name for the fields of a time after the first.
 bool isLaterTime(const std::string& name)
 {
   return name.find_first_not_of("0123456789.e-+") == std::string::npos && std::atof(name.c_str()) > 0.0;

@@ -22,29 +22,28 @@ namespace atria {
 void writePolyMesh(const std::filesystem::path& caseFolder, const SolverMesh& mesh, OpenFOAMFormat format,
                    const RunContext& context);
 
-/// Patches as they stand in `boundary`, with names that OpenFOAM takes.
+/// Returns patches as they stand in `boundary`, with names valid in OpenFOAM.
 std::vector<PatchEntry> patchEntries(std::span<const SolverPatch> patches);
 
-/// Zones with names that OpenFOAM takes.
+/// Return zones with names valid in OpenFOAM.
 std::vector<CellZone> namedZones(std::vector<CellZone> zones);
 std::vector<FaceZone> namedZones(std::vector<FaceZone> zones);
 
-/// Takes away a mesh that a case has, with all that goes with it.
+/// Removes the mesh of a case and all files that depend on it.
 void removeMesh(const std::filesystem::path& caseFolder);
 
 /// Throws Error for a mesh too large for 32-bit labels.
 void checkLabels(const FaceMesh& mesh);
 
-/// Adds the least that OpenFOAM's utilities ask for, where it is not there: system/controlDict, fvSchemes and
-/// fvSolution, and an empty <case>.foam by which ParaView opens it. Throws Error for a file that cannot be
-/// written.
+/// Adds the least that OpenFOAM's utilities require, if missing: system/controlDict, fvSchemes and fvSolution. Also
+/// adds an empty <case>.foam by which ParaView opens the case. Throws Error for a file that cannot be written.
 void completeCase(const std::filesystem::path& caseFolder);
 
-/// What a run has left in a case, its parts or its directions of the wind, such as the fields of a later time, by its
-/// path within; empty if there is nothing.
+/// Returns the path, within the case, of a result that a run has left, such as the fields of a later time. Also
+/// searches the folders of processors and wind directions. Returns an empty string if there is none.
 std::string resultIn(const std::filesystem::path& caseFolder);
 
-/// Throws Error unless `result`, as resultIn() gives it, is empty: it would be taken for one of another mesh or case.
+/// Throws Error unless `result`, from resultIn(), is empty: the result would be taken for one of another mesh or case.
 void refuseResult(const std::filesystem::path& caseFolder, const std::string& result);
 
 } // namespace atria

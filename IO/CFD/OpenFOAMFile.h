@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Files with OpenFOAM's header, in text or binary form.
 #pragma once
 
 #include "OutputFile.h"
@@ -7,7 +8,7 @@
 
 namespace atria {
 
-/// How lists are written. Both read back to the same bits.
+/// Format of lists. Both formats read back to the same bits.
 enum class OpenFOAMFormat
 {
   Ascii,
@@ -20,7 +21,7 @@ class OpenFOAMFile : public OutputFile
 public:
   struct Header
   {
-    std::string className; ///< what OpenFOAM calls the kind of content, such as vectorField
+    std::string className; ///< OpenFOAM's name for the kind of content, such as vectorField
     std::string location;  ///< folder within the case
     std::string note;      ///< left out when empty
     OpenFOAMFormat format = OpenFOAMFormat::Ascii;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> inletWords{"inlet", "inflow", "supply", "diffuser"};
 constexpr std::array<std::string_view, 5> outletWords{"outlet", "outflow", "exhaust", "extract", "return"};
-/// What belongs to an opening, or is called alike, and lets no air through.
+/// Words for parts of an opening, or for things with similar names, that let no air through.
 constexpr std::array<std::string_view, 13> solidWords{"wall", "duct",     "pipe",      "channel", "frame",
                                                       "hood", "housing",  "casing",    "power",   "socket",
                                                       "plug", "electric", "electrical"};
@@ -22,7 +22,8 @@ constexpr std::array<std::string_view, 13> solidWords{"wall", "duct",     "pipe"
 bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
 bool isLower(char c) { return c >= 'a' && c <= 'z'; }
 
-/// With small letters. A run of capitals is one word, but for its last before small letters: HVAC, Supply.
+/// Returns the words in small letters. A run of capitals is one word, except its last before small letters: HVAC,
+/// Supply.
 std::vector<std::string> wordsOf(std::string_view name)
 {
   std::vector<std::string> words;

@@ -30,7 +30,7 @@ OutputFile::OutputFile(std::filesystem::path path, const ProgressRange* progress
 
 OutputFile& OutputFile::text(std::string_view characters) { return raw(characters.data(), characters.size()); }
 
-/// As std::to_chars() writes them.
+/// Writes values with std::to_chars().
 template <typename... Value> OutputFile& OutputFile::digits(Value... value)
 {
   char* const first = room(longestNumber);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Writes text, numbers and bytes to a file through a buffer.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +13,22 @@ namespace atria {
 
 class ProgressRange;
 
-/// A file that is written through a large buffer. All that fails throws OutputError naming the file.
+/// A file that is written through a large buffer. All failures throw OutputError naming the file.
 class OutputFile
 {
 public:
-  /// Creates the file. `progress` is asked whether to stop about once a megabyte.
+  /// Creates the file. About once a megabyte, an abort requested through `progress` stops the writing.
   explicit OutputFile(std::filesystem::path path, const ProgressRange* progress = nullptr);
 
   OutputFile& text(std::string_view characters);
   OutputFile& number(std::int64_t value);
   /// The shortest digits that read back to the same value.
   OutputFile& number(double value);
-  /// In base 16, without a prefix.
+  /// Writes the value in base 16, without a prefix.
   OutputFile& hex(std::uint64_t value);
   OutputFile& raw(const void* bytes, std::size_t count);
 
-  /// Writes what is left. Not leaving it to the destructor makes a full disk an error.
+  /// Writes the rest and closes the file. Unlike the destructor, it reports a full disk.
   void close();
 
 private:

@@ -74,7 +74,7 @@ void moveFiles(const fs::path& from, const fs::path& to)
 UnfinishedFolder::UnfinishedFolder(fs::path where) : path(std::move(where))
 {
   std::error_code ignored;
-  fs::remove_all(path, ignored); // of a process that was killed
+  fs::remove_all(path, ignored); // left by a process that was killed
   makeFolder(path);
 }
 
@@ -86,7 +86,7 @@ UnfinishedFolder::~UnfinishedFolder()
   }
   catch (const std::exception&)
   {
-    // What is left goes below, or stays.
+    // The rest is removed below, or stays.
   }
   std::error_code ignored;
   fs::remove_all(path, ignored);

@@ -11,7 +11,7 @@ namespace atria {
 
 namespace {
 
-/// As the mesher names them.
+/// The mesher's suffixes.
 constexpr std::array<std::string_view, 2> sideSuffixes{"_front", "_back"};
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -23,7 +23,7 @@ std::string makeWord(std::string_view name, const NameRules& rules)
   for (const char c : name)
   {
     const bool kept = isLetter(c) || isDigit(c) || rules.punctuation.find(c) != std::string_view::npos;
-    // Bytes that continue a UTF-8 character are passed over, so that a character becomes one underscore.
+    // Bytes that continue a UTF-8 character are skipped, so that a character becomes one underscore.
     if (kept || (static_cast<unsigned char>(c) & 0xC0U) != 0x80U)
     {
       word += kept ? c : '_';
@@ -37,7 +37,7 @@ std::string makeWord(std::string_view name, const NameRules& rules)
   return startsLikeName ? word : "_" + word;
 }
 
-/// 0 or 1 for the index of the suffix that the name has after a stem, else -1.
+/// Returns 0 or 1, the index of the suffix that the name has after a stem, else -1.
 int sideOf(std::string_view name)
 {
   for (int side = 0; side < 2; ++side)
@@ -103,7 +103,7 @@ private:
     }
   }
 
-  /// The first unnamed patch that is the other side of this one, or names.size().
+  /// Returns the first unnamed patch that is the other side of this one, or names.size().
   std::size_t partnerOf(std::size_t i)
   {
     const int side = sideOf(names[i]);
@@ -120,7 +120,7 @@ private:
     return partner;
   }
 
-  /// A word that is free with each of the suffixes, shortened and numbered where it has to be.
+  /// Returns a word that is free with each of the suffixes, shortened and numbered if necessary.
   std::string unique(const std::string& word, std::span<const std::string_view> suffixes) const
   {
     const auto longer = [](std::string_view a, std::string_view b) { return a.size() < b.size(); };

@@ -19,12 +19,12 @@ namespace atria {
 
 namespace {
 
-/// Share of its area that a patch must turn one way to be the sky, the ground or a plane side.
+/// Share of its area that a patch must face one way to be the sky, the ground or a plane side.
 constexpr double oneWay = 0.99;
 constexpr double mostlyOneWay = 0.5;
 /// The same for an inlet whose faces the wind enters all or not at all; a half cylinder has 0.64.
 constexpr double nearlyPlane = 0.9;
-/// Air that slips along a side is turned by no more than this, degrees.
+/// Largest angle between the wind and a side with slip, degrees.
 constexpr double alongSide = 1.0;
 
 /// The roles that have no number come first, in the order of PatchRole.
@@ -70,7 +70,7 @@ PatchRole roleOf(const CasePatch& patch, const Vec3& wind)
   return up > mostlyOneWay ? PatchRole::Slip : up < -mostlyOneWay ? PatchRole::Ground : roleOfUpright(patch, wind);
 }
 
-/// Refuses a speed and a flow rate for the same patches: neither rule is meant to correct the other.
+/// Throws Error for a speed and a flow rate for the same patches: neither rule is meant to correct the other.
 void refuseTwoSupplies(const std::vector<PatchRule>& rules)
 {
   for (const PatchRule& a : rules)
@@ -86,7 +86,7 @@ void refuseTwoSupplies(const std::vector<PatchRule>& rules)
   }
 }
 
-/// By patch the last rule that matches it, or null.
+/// Returns, for each patch, the last rule that matches it, or null.
 std::vector<const PatchRule*> rulesOf(const CaseMesh& mesh, const std::vector<PatchRule>& rules)
 {
   refuseTwoSupplies(rules);
@@ -125,7 +125,7 @@ PatchRole roleInRoom(const CasePatch& patch)
   return !opening ? PatchRole::Wall : *opening == VentilationOpening::Inlet ? PatchRole::Inlet : PatchRole::Outlet;
 }
 
-/// Before inlets have their supplies.
+/// Returns the roles before inlets get their supplies.
 std::vector<PatchChoice> rolesInRoom(const CaseMesh& mesh, const std::vector<const PatchRule*>& rules)
 {
   std::vector<PatchChoice> choices;
@@ -154,7 +154,7 @@ std::vector<std::string> namesOf(const CaseMesh& mesh, const std::vector<PatchCh
   return names;
 }
 
-/// Of a room.
+/// Throws Error unless a room has both an inlet and an outlet.
 void requireInletAndOutlet(const CaseMesh& mesh, const std::vector<PatchChoice>& choices)
 {
   const std::vector<std::string> inlets = namesOf(mesh, choices, PatchRole::Inlet);
@@ -177,7 +177,7 @@ void requireInletAndOutlet(const CaseMesh& mesh, const std::vector<PatchChoice>&
   }
 }
 
-/// Whether a mesh that is to be a case of wind is taken for a room by itself.
+/// True if a mesh for a wind case would be taken for a room automatically.
 bool wouldBeRoom(const CaseMesh& mesh, FlowCaseSettings settings)
 {
   settings.kind = FlowKind::Automatic;

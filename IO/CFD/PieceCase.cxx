@@ -21,10 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where ranks do not agree among so many rings, the whole has to be written.
+/// Most rings around a piece. If ranks still disagree with as many, the whole mesh has to be written.
 constexpr int mostRings = 4 * unionRings;
 
-/// Throws Error where a rank has no cells.
+/// Throws Error if a rank has no cells.
 void checkCells(std::size_t own, RankExchange& exchange)
 {
   const auto [cells, empty] = sumOverRanks(exchange, std::array{own, own == 0 ? std::size_t{1} : 0});
@@ -46,7 +46,7 @@ public:
   {
   }
 
-  WrittenCase run()
+  WrittenPieces run()
   {
     FaceMesh first = begin();
     const auto makeMesh = [&] { return first.points.empty() ? makeAgain() : std::exchange(first, FaceMesh()); };
@@ -71,19 +71,19 @@ public:
   }
 
 private:
-  /// What has to be known of the mesh once some of it was united.
+  /// Properties of the mesh before unions that are needed after them.
   struct MeshBefore
   {
     std::size_t internal = 0;
     std::vector<bool> isOwnFace;
-    std::vector<Index> patchOf;  ///< by boundary face, noIndex where it is in none
-    std::vector<Index> zoneOf;   ///< by internal face
-    std::vector<char> ownPoints; ///< by point, whether it is that of an own cell
+    std::vector<Index> patchOf;  ///< one per boundary face; noIndex without a patch
+    std::vector<Index> zoneOf;   ///< one per internal face
+    std::vector<char> ownPoints; ///< one per point; true if an own cell has it
   };
 
   WidePiece widen() const { return piece.widen(rings, exchange, context.executor, labels.views()); }
 
-  /// Takes points and cells.
+  /// Takes points and cells out of `cells`.
   FaceMesh meshOf(WidePiece& cells) const
   {
     return makeFaceMesh(std::move(cells.points), cells.cells(), cells.faceKeys(), context.executor,
@@ -96,7 +96,7 @@ private:
     return meshOf(cells);
   }
 
-  /// Of the wide piece no more than its numbers is kept: it is made again where the mesh is, which is seldom.
+  /// Keeps only the numbers of the wide piece. The mesh is made again where it is needed, which is seldom.
   FaceMesh begin()
   {
     WidePiece cells = widen();
@@ -112,7 +112,7 @@ private:
     return mesh;
   }
 
-  /// As zoneOfFaces() of SolverSource.h.
+  /// Returns the same as zoneOfFaces() of SolverSource.h.
   std::vector<Index> zoneOfFaces(const FaceMesh& mesh, const WideNumbers& cells)
   {
     std::vector<Index> zoneOf = labels.zoneOfFaces(cells, mesh, static_cast<Index>(zones.count()));
@@ -155,7 +155,7 @@ private:
     return patches;
   }
 
-  /// Also gives own faces in no patch a patch of theirs, the last one.
+  /// Returns the patches. Faces of own cells in no patch get one of their own, the last.
   std::vector<PatchEntry> namePatches(UnitedPiece& united) const
   {
     std::vector<SolverPatch> patches;
@@ -221,7 +221,7 @@ private:
     }
   }
 
-  WrittenCase report(const JudgedMesh& now, const UnitedCells& cells, bool hasNumbers) const
+  WrittenPieces report(const JudgedMesh& now, const UnitedCells& cells, bool hasNumbers) const
   {
     std::size_t cellsBefore = 0;
     std::size_t cellsNow = 0;
@@ -268,11 +268,11 @@ private:
 
 } // namespace
 
-WrittenCase writePieces(const PieceCase& target, const MeshPiece& piece, vtkUnstructuredGrid* grid,
-                        RankExchange& exchange, const RunContext& context)
+WrittenPieces writePieces(const PieceCase& target, const MeshPiece& piece, vtkUnstructuredGrid* grid,
+                          RankExchange& exchange, const RunContext& context)
 {
   checkCells(piece.ownCells().size(), exchange);
-  std::optional<WrittenCase> written;
+  std::optional<WrittenPieces> written;
   const auto write = [&](int rings) { written = PieceCaseWriter(target, piece, grid, exchange, context, rings).run(); };
   int rings = unionRings;
   while (rings < mostRings && !exchange.agreeOn([&] { write(rings); }))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// An OpenFOAM case whose processors are the ranks, written without the whole mesh being anywhere.
+/// Writes an OpenFOAM case with one processor per rank; no rank holds the whole mesh.
 #pragma once
 
 #include "MeshPiece.h"
@@ -21,25 +21,25 @@ struct PieceCase
   OpenFOAMFormat format;
   bool mergeCells; ///< as in UnionOptions
   bool mergeFaces;
-  std::function<void(FaceMesh&)> place; ///< puts points where they are to be
+  std::function<void(FaceMesh&)> place; ///< moves points to their final places
 };
 
-/// Of the whole.
-struct WrittenCase
+/// Results for the whole mesh.
+struct WrittenPieces
 {
   MeshVerdict verdict;
   std::vector<std::string> failures;
   std::size_t mergedCells = 0;
   std::size_t addedCells = 0;
   std::size_t mergedFaces = 0;
-  bool hasNumbers = true; ///< of cells, faces and points in the whole; 32 bits may not hold them
+  bool hasNumbers = true; ///< cells, faces and points are numbered in the whole mesh; false if 32 bits are too few
 };
 
-/// Has each rank write the folder of the processor of its number, with the cells that it has of the mesh: as
-/// writeProcessors() writes it of the same division, bit by bit. Folders are put in place when all are complete. `grid`
-/// is what `piece` was made of. Throws Error for a rank without cells and for what cannot be written, RanksDisagree
-/// where only the whole mesh can be written. Of all ranks.
-WrittenCase writePieces(const PieceCase& target, const MeshPiece& piece, vtkUnstructuredGrid* grid,
-                        RankExchange& exchange, const RunContext& context);
+/// Has each rank write the folder of the processor of its number, with the cells that the rank has. The files are bit
+/// by bit those of writeProcessors() for the same division. Folders are put in place when all are complete. `grid` is
+/// the grid that `piece` was made of. All ranks call it at the same time. Throws Error for a rank without cells and for
+/// files that cannot be written, RanksDisagree if only the whole mesh can be written.
+WrittenPieces writePieces(const PieceCase& target, const MeshPiece& piece, vtkUnstructuredGrid* grid,
+                          RankExchange& exchange, const RunContext& context);
 
 } // namespace atria

@@ -19,7 +19,7 @@ namespace atria {
 
 namespace {
 
-/// By cell as it is now: where some became one, that of the last.
+/// Returns the label of each present cell; a union has that of its last cell.
 std::vector<std::int64_t> labelsNow(const std::vector<std::int64_t>& before, const JudgedMesh& now)
 {
   std::vector<std::int64_t> labels(now.mesh.cellCount);
@@ -34,7 +34,7 @@ std::vector<std::int64_t> labelsNow(const std::vector<std::int64_t>& before, con
   return labels;
 }
 
-/// The labels that own cells have on any rank; rising.
+/// Returns the labels that own cells have on any rank, in ascending order.
 std::vector<std::int64_t> usedLabels(const std::vector<std::int64_t>& labels, const UnitedCells& cells,
                                      RankExchange& exchange)
 {

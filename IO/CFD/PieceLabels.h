@@ -13,27 +13,28 @@ class vtkUnstructuredGrid;
 
 namespace atria {
 
-/// Numbers that cells bear: ZoneId, and those of rooms and cell zones that have names, as in SolverSource.
+/// Zone numbers of cells: ZoneId, and the numbers of named rooms and cell zones, as in SolverSource.
 class PieceLabels
 {
 public:
-  /// Of all ranks, which have the same arrays: throws RanksDisagree where they have not.
+  /// All ranks call it at the same time, with the same arrays. Throws RanksDisagree if the arrays differ.
   PieceLabels(vtkUnstructuredGrid* grid, RankExchange& exchange);
 
-  /// The lists, as widen() takes them.
+  /// Returns the lists for widen().
   std::vector<IdView> views() const;
 
-  /// By internal face `between` where zones with names meet, noIndex elsewhere; empty where none do.
+  /// One entry per internal face: `between` where named zones meet, else noIndex. Empty if none meet.
   std::vector<Index> zoneOfFaces(const WideNumbers& piece, const FaceMesh& mesh, Index between) const;
 
-  /// Those of the whole that have cells, with the cells that are here now. Of all ranks.
+  /// Returns the zones of the whole mesh that have cells, with the present cells of this rank. All ranks call it at the
+  /// same time.
   std::vector<CellZone> zonesOf(const WideNumbers& piece, const JudgedMesh& now, const UnitedCells& cells,
                                 RankExchange& exchange) const;
 
 private:
   struct List
   {
-    std::vector<std::string> names; ///< none of ZoneId
+    std::vector<std::string> names; ///< none for ZoneId
     std::vector<std::int64_t> ofCell;
   };
 

@@ -13,7 +13,7 @@ namespace {
 
 using Numbers = std::vector<std::int64_t>;
 
-/// What all ranks have, sorted.
+/// Returns the values of all ranks, sorted.
 template <typename T> std::vector<T> gatherSorted(const std::vector<T>& own, RankExchange& exchange)
 {
   std::vector<T> all;
@@ -25,13 +25,13 @@ template <typename T> std::vector<T> gatherSorted(const std::vector<T>& own, Ran
   return all;
 }
 
-/// A number once those in a sorted list are left out.
+/// Returns a number after those in a sorted list are left out.
 std::int64_t without(const Numbers& leftOut, std::int64_t number)
 {
   return number - (std::ranges::lower_bound(leftOut, number) - leftOut.begin());
 }
 
-/// How many there are on all ranks. Throws where their numbers are not 0, 1 and so on.
+/// Returns the sum over all ranks. Throws if the numbers are not 0, 1 and so on.
 std::int64_t countAll(std::int64_t own, std::int64_t greatest, RankExchange& exchange)
 {
   std::int64_t count = 0;
@@ -48,7 +48,7 @@ std::int64_t countAll(std::int64_t own, std::int64_t greatest, RankExchange& exc
   return count;
 }
 
-/// A cell that was cut, and how many pyramids it became beyond the first.
+/// A cell that was cut, and the number of pyramids beyond the first.
 using CutCell = std::pair<std::int64_t, std::int64_t>;
 
 std::vector<CutCell> ownCutCells(const JudgedMesh& now, const UnitedCells& united)
@@ -90,7 +90,7 @@ void numberCells(const JudgedMesh& now, const UnitedCells& united, const PieceOn
   const std::int64_t before = countAll(count, greatest, on.exchange);
   leftOut = gatherSorted(leftOut, on.exchange);
   out.cellCount = before - static_cast<std::int64_t>(leftOut.size());
-  std::map<std::int64_t, std::int64_t> firstPyramid; ///< by cell that was cut
+  std::map<std::int64_t, std::int64_t> firstPyramid; ///< keyed by the cell that was cut
   for (const auto& [cell, added] : cut)
   {
     firstPyramid[cell] = std::exchange(out.cellCount, out.cellCount + added);
@@ -103,7 +103,7 @@ void numberCells(const JudgedMesh& now, const UnitedCells& united, const PieceOn
   }
   for (std::size_t i = 0; i < now.added.size(); ++i)
   {
-    // Those far from own cells may be cut here alone.
+    // Cells far from own cells may be cut on this rank only.
     const auto first = firstPyramid.find(united.cellIds[now.added[i]]);
     out.cells[firstAdded + i] = first == firstPyramid.end() ? -1 : first->second++;
   }
@@ -151,8 +151,7 @@ void numberPoints(const JudgedMesh& now, const UnitedCells& united, const PieceO
   }
 }
 
-/// Own cells whose numbers follow each other, by the first, and how many faces of one patch, or within the mesh, these
-/// have as their owners.
+/// Consecutive own cells, given by the first, and the number of faces of one patch, or within the mesh, that they own.
 struct FaceRun
 {
   Index patch; ///< 0 within the mesh, 1 for the first patch and so on
@@ -162,7 +161,7 @@ struct FaceRun
   auto key() const { return std::pair(patch, firstCell); }
 };
 
-/// Numbers the faces of own owners.
+/// Numbers the faces that own cells own.
 class RunNumbers
 {
 public:
@@ -183,7 +182,7 @@ public:
 
   void count(Index patch, Index owner) { ++next[{patch, firstOfRun[owner]}]; }
 
-  /// Returns how many there are on all ranks.
+  /// Returns the number of faces on all ranks.
   std::int64_t place(RankExchange& exchange)
   {
     std::vector<FaceRun> own;
@@ -213,8 +212,8 @@ public:
 
 private:
   std::int64_t first = -1;
-  Numbers firstOfRun;                                          ///< by cell
-  std::map<std::pair<Index, std::int64_t>, std::int64_t> next; ///< by patch and run
+  Numbers firstOfRun;                                          ///< one per cell
+  std::map<std::pair<Index, std::int64_t>, std::int64_t> next; ///< keyed by patch and run
 };
 
 } // namespace

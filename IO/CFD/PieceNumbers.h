@@ -10,29 +10,29 @@
 
 namespace atria {
 
-/// Numbers are those of a mesh that is written as a whole: cells that became part of others, and points without faces,
-/// are left out, pyramids and their apices come last.
+/// Numbers in a mesh that is written as a whole. Cells that became part of others and points without faces have none;
+/// pyramids and their apices come last.
 struct PieceNumbers
 {
-  std::vector<std::int64_t> cells;  ///< by cell as it is now
-  std::vector<std::int64_t> points; ///< by point
-  std::int64_t cellCount = 0;       ///< of the whole
+  std::vector<std::int64_t> cells;  ///< one per present cell
+  std::vector<std::int64_t> points; ///< one per point
+  std::int64_t cellCount = 0;       ///< in the whole mesh
   std::int64_t pointCount = 0;
 };
 
-/// `ownPoints` is pointsOfOwn() of the mesh before unions. Of all ranks. Throws RanksDisagree where numbers of cells or
-/// points of the whole have gaps.
+/// `ownPoints` is pointsOfOwn() of the mesh before unions. All ranks call it at the same time. Throws RanksDisagree if
+/// the numbers of cells or points of the whole mesh have gaps.
 PieceNumbers numberPiece(const JudgedMesh& now, const UnitedCells& united, const PieceOnRanks& piece,
                          std::span<const char> ownPoints);
 
-/// Faces of the whole as they are on file: internal ones, then patch by patch.
+/// Numbers of faces in the file of the whole mesh: internal faces first, then patch by patch.
 struct FaceNumbers
 {
-  std::vector<std::int64_t> faces; ///< by face that an own cell has; -1 for others
-  std::int64_t faceCount = 0;      ///< of the whole
+  std::vector<std::int64_t> faces; ///< one per face; -1 for faces without an own cell
+  std::int64_t faceCount = 0;      ///< in the whole mesh
 };
 
-/// `patchOf` has the patch of each boundary face. Of all ranks.
+/// `patchOf` has the patch of each boundary face. All ranks call it at the same time.
 FaceNumbers numberFaces(const FaceMesh& mesh, const UnitedCells& united, const PieceNumbers& numbers,
                         const std::vector<Index>& patchOf, RankExchange& exchange);
 

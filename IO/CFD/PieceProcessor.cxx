@@ -45,12 +45,12 @@ public:
 private:
   bool isOwn(std::size_t cell) const { return piece.cells.isOwn[cell] != 0; }
 
-  /// In the order of the file.
+  /// Sorts faces into the order of the file.
   void sortFaces()
   {
     const std::size_t internalFaces = mesh.internalFaceCount();
     std::vector<std::vector<Index>> ofPatch(piece.patches.size());
-    std::map<Index, std::vector<Index>> shared; // by the other rank
+    std::map<Index, std::vector<Index>> shared; // keyed by the other rank
     for (Index f = 0; f < mesh.faceCount(); ++f)
     {
       const Index owner = mesh.owner[f];
@@ -107,7 +107,7 @@ private:
     }
   }
 
-  /// Whether the rank has the neighbor of a face alone.
+  /// True if the rank has only the neighbor of a face.
   bool isTurned(Index face) const { return !isOwn(mesh.owner[face]); }
 
   void addFaces()

@@ -11,7 +11,7 @@ namespace atria {
 
 namespace {
 
-/// By zone, what ranks have of it, as one.
+/// Merges the zones of all ranks by name.
 class ZoneGatherer
 {
 public:
@@ -81,7 +81,7 @@ VtkPatches gatherZones(const VtkPatches& own, RankExchange& exchange)
   return gatherer.take();
 }
 
-/// noIndex where it is not there.
+/// Returns the index of a number in an ascending list; noIndex if it is not there.
 Index placeOf(std::int64_t id, const std::vector<std::int64_t>& rising)
 {
   const auto found = std::ranges::lower_bound(rising, id);

@@ -10,23 +10,23 @@
 
 namespace atria {
 
-/// Those of the whole, of which each rank sees all faces between cells that it has.
+/// The face zones of the whole mesh. Each rank sees all zone faces between cells that it has.
 class PieceZones
 {
 public:
-  /// Of all ranks.
+  /// All ranks call it at the same time.
   PieceZones(const MeshPiece& piece, RankExchange& exchange);
 
   std::size_t count() const { return all.patches.size(); }
 
-  /// Finds them in the mesh of a wide piece. Throws RanksDisagree where one is no face between its cells.
+  /// Finds the zone faces in the mesh of a wide piece. Throws RanksDisagree if one is no face between its cells.
   void find(const WideNumbers& piece, const FaceMesh& mesh, const Executor& executor);
 
-  /// By zone of the whole, in the mesh before unions.
+  /// One entry per zone of the whole mesh, for the mesh before unions.
   const std::vector<ZonedFaces>& faces() const { return found; }
 
 private:
-  VtkPatches all; ///< with numbers of the whole
+  VtkPatches all; ///< numbers refer to the whole mesh
   std::vector<ZonedFaces> found;
 };
 

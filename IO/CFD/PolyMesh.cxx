@@ -87,7 +87,7 @@ void readOwners(RawFaces& faces, const fs::path& caseFolder)
   }
 }
 
-/// Fills the mesh, and tells the new number of each face.
+/// Fills the mesh. Returns the new number of each face.
 std::vector<Index> sortFaces(const RawFaces& raw, FaceMesh& mesh)
 {
   std::vector<Index> order(raw.count());
@@ -133,7 +133,7 @@ std::size_t numberOf(const Entries& entries, const char* key, const std::string&
   file.fail("patch '" + patch + "' has no number " + key);
 }
 
-/// Each patch with its entries, in order.
+/// Returns each patch with its entries, in order.
 std::vector<std::pair<std::string, Entries>> patchEntries(FoamParser& file)
 {
   std::vector<std::pair<std::string, Entries>> patches;
@@ -148,7 +148,7 @@ std::vector<std::pair<std::string, Entries>> patchEntries(FoamParser& file)
   return patches;
 }
 
-/// `name { entries }` for each zone, whose two lists are told apart by name.
+/// Reads `name { entries }` for each zone; the names distinguish its two lists.
 template <typename Zone, typename Entry> std::vector<Zone> readZones(const fs::path& path, Entry&& entry)
 {
   std::vector<Zone> zones;
@@ -178,7 +178,7 @@ template <typename Zone, typename Entry> std::vector<Zone> readZones(const fs::p
   return zones;
 }
 
-/// `List<label>` before the list itself.
+/// Reads `List<label>` and the list after it.
 std::vector<Index> listOfLabels(FoamParser& file)
 {
   file.word();
@@ -218,7 +218,7 @@ std::vector<CellZone> readCellZones(const fs::path& path)
   });
 }
 
-/// Has zones go by the new numbers of faces.
+/// Changes the faces of zones to their new numbers.
 void renumberZones(PolyMesh& poly, const std::vector<Index>& newNumber, const fs::path& caseFolder)
 {
   for (FaceZone& zone : poly.faceZones)

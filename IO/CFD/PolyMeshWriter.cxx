@@ -139,7 +139,7 @@ void PolyMeshWriter::writeBoundary(std::span<const PatchEntry> patches) const
   file.text(")\n").close();
 }
 
-/// write(file, zone) what is in one.
+/// Writes zones; write(file, zone) writes the content of one.
 template <typename Zone, typename Write>
 void PolyMeshWriter::writeZones(const char* name, std::span<const Zone> zones, Write&& write) const
 {

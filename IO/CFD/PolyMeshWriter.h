@@ -23,11 +23,11 @@ struct PatchEntry
   std::string comment = {}; ///< a line of its own before the patch; without one if empty
 };
 
-/// Writes one file a call. Names must be valid. All throw Error naming a file that cannot be written.
+/// Writes one file a call. Names must be valid. All functions throw Error naming a file that cannot be written.
 class PolyMeshWriter
 {
 public:
-  /// Faces of `source` stand in the order of the files, and it outlives this.
+  /// Faces of `source` are in the order of the files. `source` outlives this object.
   PolyMeshWriter(std::filesystem::path target, const FaceMesh& source, OpenFOAMFormat format,
                  const ProgressRange& progress);
 
@@ -36,10 +36,10 @@ public:
   void writeOwners() const;
   void writeNeighbors() const;
   void writeBoundary(std::span<const PatchEntry> patches) const;
-  /// Nothing without zones.
+  /// Write no file if there are no zones.
   void writeFaceZones(std::span<const FaceZone> zones) const;
   void writeCellZones(std::span<const CellZone> zones) const;
-  /// A list of labels under a name.
+  /// Writes a list of labels to the file `name`.
   void writeLabelFile(const char* name, std::span<const std::int32_t> labels) const;
 
 private:

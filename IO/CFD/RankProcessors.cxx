@@ -42,7 +42,7 @@ template <typename List> void receiveList(List& list, int rank, vtkMultiProcessC
   }
 }
 
-/// All lists of a mesh that are numbers, in an order.
+/// Calls `body` with all lists of numbers of a mesh, in a fixed order.
 template <typename Mesh, typename F> void forLists(Mesh& part, F&& body)
 {
   body(part.mesh.points);
@@ -65,7 +65,7 @@ template <typename Mesh, typename F> void forLists(Mesh& part, F&& body)
   }
 }
 
-/// All that are texts and counts.
+/// Returns all texts and counts of a part.
 vtkMultiProcessStream headOf(const ProcessorMesh& part)
 {
   vtkMultiProcessStream head;
@@ -142,7 +142,7 @@ void sendPart(const ProcessorMesh& part, int rank, vtkMultiProcessController& co
   forLists(part, [&](const auto& list) { sendList(list, rank, controller); });
 }
 
-/// Writes the part that comes, if one does, and tells the first rank what kept it from that.
+/// Writes the part that arrives, if any. Sends the first rank the reason if it cannot be written.
 void receiveAndWrite(const fs::path& caseFolder, OpenFOAMFormat format, vtkMultiProcessController& controller,
                      const ProgressRange& progress)
 {
@@ -177,7 +177,7 @@ std::string receiveText(int rank, vtkMultiProcessController& controller)
   return text;
 }
 
-/// Tells a rank that no part comes, which it does not answer.
+/// Informs a rank that no part comes. The rank does not answer.
 std::string sendNothing(int rank, vtkMultiProcessController& controller)
 {
   const int comes = 0;
@@ -185,7 +185,7 @@ std::string sendNothing(int rank, vtkMultiProcessController& controller)
   return {};
 }
 
-/// Throws Error where a part has no cells.
+/// Throws Error if a part has no cells.
 void checkParts(const std::vector<Index>& partOf, std::size_t parts)
 {
   std::vector<bool> has(parts, false);
@@ -197,8 +197,8 @@ void checkParts(const std::vector<Index>& partOf, std::size_t parts)
   }
 }
 
-/// Makes, sends and writes all parts on the first rank, and puts them in place. Throws once all others have been told
-/// and heard.
+/// Makes, sends and writes all parts on the first rank, and puts them in place. Throws only after the other ranks were
+/// informed and have answered.
 void sendAndWrite(const fs::path& caseFolder, const DividedMesh& mesh, OpenFOAMFormat format,
                   vtkMultiProcessController& controller, const ProgressRange& progress)
 {

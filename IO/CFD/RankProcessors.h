@@ -18,10 +18,10 @@ struct DividedMesh
   std::vector<Index> partOf;
 };
 
-/// As writeProcessors(), on all ranks at the same time: the first one makes one part after the other and sends it, the
-/// others write theirs, and the first one puts all in place once they are complete. `mesh` is the first rank's, null on
-/// others, and has a part for each rank. The folder of the case is one that all ranks see. Where a part cannot be
-/// written nothing is put in place: the first rank throws Error, or Aborted, and the others return false.
+/// Writes the same as writeProcessors(). All ranks call it at the same time. The first rank makes one part after the
+/// other and sends it, and the others write theirs. The first rank puts all in place once they are complete. `mesh` is
+/// null except on the first rank, and has a part for each rank. All ranks see the folder of the case. If a part cannot
+/// be written, nothing is put in place: the first rank throws Error, or Aborted, and the others return false.
 bool writeProcessorsOnRanks(const std::filesystem::path& caseFolder, const DividedMesh* mesh, OpenFOAMFormat format,
                             vtkMultiProcessController& controller, const ProgressRange& progress);
 

@@ -19,7 +19,8 @@ inline constexpr NameRules su2Names{.punctuation = "_.-+:/"};
 void writeSU2Mesh(const std::filesystem::path& file, const SolverMesh& mesh, const NativeCells& cells,
                   const RunContext& context);
 
-/// How many boundary faces have the same points as another one, such as both sides of a sheet one face wide.
+/// Returns the number of boundary faces with the same points as another one, such as both sides of a sheet one face
+/// wide.
 std::size_t facesWithCommonPoints(const FaceMesh& mesh);
 
 } // namespace atria

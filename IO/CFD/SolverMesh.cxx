@@ -18,7 +18,7 @@ namespace {
 
 const char* const defaultPatchName = "defaultFaces";
 
-/// The boundary faces that are in no patch.
+/// Returns the boundary faces that are in no patch.
 std::vector<Index> unclaimedFaces(const FaceMesh& mesh, std::span<const BoundaryPatch> patches)
 {
   const std::size_t internal = mesh.internalFaceCount();
@@ -118,7 +118,7 @@ std::vector<CellZone> numberedZones(std::span<const std::int64_t> zoneIds)
 {
   if (std::ranges::adjacent_find(zoneIds, std::not_equal_to()) == zoneIds.end())
   {
-    return {}; // one or none: nothing to tell
+    return {}; // one or none: nothing to distinguish
   }
   std::map<std::int64_t, std::vector<Index>> cellsOf;
   std::vector<Index>* cells = nullptr;
@@ -187,7 +187,7 @@ std::vector<PatchName> namesOf(std::span<const SolverPatch> patches, const NameR
   std::vector<std::string> names;
   for (const SolverPatch& patch : patches)
   {
-    // Who is named first keeps its name.
+    // The first of equal names stays unchanged.
     names.insert(patch.kind == SolverPatch::Unclaimed ? names.begin() : names.end(), patch.name);
   }
   names.insert(names.end(), others.begin(), others.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A volume mesh as formats of solvers take it, and what they share.
+/// A volume mesh in the form that solvers' formats share.
 #pragma once
 
 #include "MeshZones.h"
@@ -16,24 +16,24 @@ namespace atria {
 
 struct VtkFaceMesh;
 
-/// Some of a mesh's boundary faces under one name.
+/// Boundary faces under one name.
 struct BoundaryPatch
 {
   std::string name;
   std::vector<Index> faces;
 };
 
-/// Those that came with a mesh.
+/// Returns the patches that came with a mesh.
 std::vector<BoundaryPatch> boundaryPatchesOf(const VtkFaceMesh& source);
 
-/// Boundary faces that follow each other.
+/// Consecutive boundary faces under one name.
 struct SolverPatch
 {
   enum Kind
   {
     Wall,
-    DomainSide, ///< by its name: xMin … zMax, domainSide1 …
-    Unclaimed   ///< those in no patch, `defaultFaces`
+    DomainSide, ///< named xMin … zMax, domainSide1 …
+    Unclaimed   ///< faces in no patch, `defaultFaces`
   };
   std::string name; ///< as the input has it
   Kind kind = Wall;
@@ -43,36 +43,37 @@ struct SolverPatch
   bool isWall() const { return kind == Wall; }
 };
 
-/// Of that name, without faces; and the one of those in no patch.
+/// Return a patch of that name, and the patch for faces in none. Both have no faces yet.
 SolverPatch solverPatch(const std::string& name);
 SolverPatch unclaimedPatch();
 
-/// What a zone of that number is called.
+/// Returns the name of the zone with that number.
 std::string zoneName(std::int64_t id);
 
 struct SolverMesh
 {
-  /// Boundary faces come patch by patch, in each by owner. All points have faces.
+  /// Boundary faces come patch by patch, and by owner within a patch. All points have faces.
   FaceMesh mesh;
-  /// All of the boundary. Boundary faces in no patch are the last one.
+  /// Patches that cover the whole boundary. Boundary faces in no patch are the last one.
   std::vector<SolverPatch> patches;
-  /// Of each point there was the number it has now; empty where none was left out.
+  /// New number of each point of the input; empty if no point was left out.
   std::vector<Index> newPoint;
-  /// Faces, and cells below, are rising.
+  /// Faces, and cells below, are in ascending order.
   std::vector<FaceZone> faceZones;
-  /// Rooms and cell zones by name, of which a cell may be in one of each. Where there are none, cells by ZoneId, as
-  /// zone0, zone1 …, if there is more than one.
+  /// Rooms and cell zones by name; a cell may be in one room and one cell zone. Without any, zones are made of ZoneId,
+  /// as zone0, zone1 …, if there is more than one.
   std::vector<CellZone> cellZones;
-  /// Of each cell, where they are to be written in parts; else empty.
+  /// The part of each cell if cells are written in parts; else empty.
   std::vector<Index> partOf;
 };
 
-/// `zoneIds` has one for each cell, or none. Throws Error for faces in patches that are not on the boundary or in two
-/// patches, and for another number of zone ids.
+/// Makes the mesh for solvers. `zoneIds` has one entry for each cell, or none. Throws Error for faces in patches that
+/// are not on the boundary or in two patches, and for another number of zone ids.
 SolverMesh makeSolverMesh(FaceMesh mesh, std::span<const BoundaryPatch> patches, std::span<const std::int64_t> zoneIds,
                           const Executor& executor);
 
-/// Of each patch, and then of `others` that must not have the same. `defaultFaces` is the one to keep its name.
+/// Returns names of the patches, then of `others`; all are unique. `defaultFaces` keeps its name if there are others
+/// like it.
 std::vector<PatchName> namesOf(std::span<const SolverPatch> patches, const NameRules& rules,
                                std::span<const std::string> others = {});
 

@@ -25,7 +25,7 @@ Buffer<std::int64_t> idsOf(vtkUnstructuredGrid* volume, const char* name, const 
   return ids;
 }
 
-/// Zones that a cell array numbers and a field array names, if there are both.
+/// Adds zones that a cell array numbers and a field array names, if both exist.
 void addNamedZones(SolverSource& source, vtkUnstructuredGrid* volume, const char* ids, const char* names,
                    const Executor& executor)
 {
@@ -56,7 +56,7 @@ std::vector<ZonedFaces> zonedFacesOf(const VtkFaceMesh& from)
   return out;
 }
 
-/// Gives labels to the cells there are now: where some became one, that of the last.
+/// Gives labels to present cells; a union has that of its last cell.
 void renumberCells(Buffer<std::int64_t>& labels, const JudgedMesh& written)
 {
   if (written.cellOf.empty() || labels.empty())
@@ -91,7 +91,7 @@ void renumberFaces(SolverSource& source, const std::vector<Index>& faceOf)
   }
 }
 
-/// Zones with names as lists of cells, those of each array in the order of its names; empty ones are left out.
+/// Returns zones with names as lists of cells, in the order of the names of each array. Empty ones are left out.
 std::vector<CellZone> cellZonesOf(const SolverSource& source)
 {
   std::vector<CellZone> all;
@@ -174,7 +174,7 @@ SolverMesh solverMeshFrom(SolverSource source, FaceMesh mesh, const Executor& ex
   out.faceZones = std::move(faceZones);
   if (std::vector<CellZone> named = cellZonesOf(source); !named.empty())
   {
-    out.cellZones = std::move(named); // which tell more than numbers
+    out.cellZones = std::move(named); // named zones say more than numbers
   }
   out.partOf.assign(source.partOf.begin(), source.partOf.end());
   return out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The patches and zones of a mesh that a writer has to write; they follow where cells and faces are merged.
+/// The patches and zones of a mesh to write, adapted as cells and faces are merged.
 #pragma once
 
 #include "Quality/Unions/JudgedUnions.h"
@@ -18,32 +18,33 @@ struct CellLabels
   Buffer<std::int64_t> ofCell;
 };
 
-/// Faces are numbered as in the mesh that the source was made of until followUnions().
+/// Faces have their numbers in the mesh that the source was made of until followUnions() is called.
 struct SolverSource
 {
   std::vector<BoundaryPatch> patches;
   std::vector<ZonedFaces> faceZones;
-  /// By ZoneId, without names; and those that have names, one after the other.
+  /// Zones by ZoneId, without names. `cellZones` has the kinds of zones with names, one after the other.
   CellLabels zones;
   std::vector<CellLabels> cellZones;
-  /// Of each cell, where they are to be written in parts; else empty. A union is in the part of its last cell.
+  /// The part of each cell if cells are written in parts; else empty. A union is in the part of its last cell.
   Buffer<std::int64_t> partOf;
 };
 
-/// Of a mesh and its faces. Named are rooms, by the cell array RoomId and the field array RoomName, and cell zones, by
-/// CellZoneId and CellZoneName.
+/// Returns the patches and zones of a mesh. Zones with names are rooms (cell array RoomId, field array RoomName) and
+/// cell zones (CellZoneId and CellZoneName).
 SolverSource solverSourceOf(vtkUnstructuredGrid* volume, const VtkFaceMesh& faces, const Executor& executor);
 
-/// By boundary face the number of its patch, or noIndex.
+/// Returns the number of the patch for each boundary face, or noIndex.
 std::vector<Index> patchOfFaces(const SolverSource& source, const FaceMesh& mesh);
 
-/// By internal face the number of its face zone; a number of their own where zones of cells meet. Empty without any.
+/// Returns the number of the face zone for each internal face. Faces where zones of cells meet have a further number.
+/// Returns an empty list if there are no zones.
 std::vector<Index> zoneOfFaces(const SolverSource& source, const FaceMesh& mesh, const Executor& executor);
 
-/// Patches and zones by the faces and cells that are written.
+/// Changes the faces and cells of patches and zones to those that are written.
 void followUnions(SolverSource& source, const JudgedMesh& written);
 
-/// The mesh for solvers, of the faces that are written.
+/// Returns the mesh for solvers, made of the faces that are written.
 SolverMesh solverMeshFrom(SolverSource source, FaceMesh mesh, const Executor& executor);
 
 } // namespace atria

@@ -56,7 +56,7 @@ std::vector<double> windRose(int directions, double north)
 Vec3 windVector(double towards)
 {
   const double angle = towards * std::numbers::pi / 180.0;
-  // To 15 digits: 90 degrees give an exact axis.
+  // Rounds to 15 digits: 90 degrees give an exact axis.
   const auto rounded = [](double x) { return std::round(x * 1e15) / 1e15; };
   return {rounded(std::cos(angle)), rounded(std::sin(angle)), 0.0};
 }

@@ -39,11 +39,11 @@ struct WindProfile
 /// counterclockwise from y.
 double windTowards(double from, double north);
 double windFrom(double towards, double north);
-/// `towards` of so many directions at equal steps, the first with wind from north.
+/// Returns `towards` for so many directions at equal steps, the first with wind from north.
 std::vector<double> windRose(int directions, double north);
-/// Of length 1.
+/// Returns a vector of length 1.
 Vec3 windVector(double towards);
-/// Three digits before the point, none after it that are not needed: "270", "022.5".
+/// Returns three digits before the point, and after it only those needed: "270", "022.5".
 std::string windLabel(double from);
 
 } // namespace atria

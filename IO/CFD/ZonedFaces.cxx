@@ -34,7 +34,7 @@ std::vector<FaceZone> faceZonesOf(const std::vector<ZonedFaces>& zones, const st
   for (const ZonedFaces& zoned : zones)
   {
     FaceZone& zone = out.emplace_back(FaceZone{zoned.name, {}, {}});
-    std::map<Index, Vec3> normals; // faces that were merged are there more than once
+    std::map<Index, Vec3> normals; // merged faces occur more than once
     for (const auto& [face, normal] : zoned.faces)
     {
       const Index now = faceOf.empty() ? face : faceOf[face];

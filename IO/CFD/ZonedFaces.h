@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Face zones of a mesh of which cells and faces may still be merged.
+/// Face zones of a mesh whose cells and faces may still be merged.
 #pragma once
 
 #include "MeshZones.h"
@@ -17,7 +17,7 @@ struct ZonedFace
   Vec3 normal;
 };
 
-/// With the cell behind it, from which the zone's normal points away.
+/// Returns a face with its normal; the zone's normal points away from the cell `behind`.
 ZonedFace zonedFace(const FaceMesh& mesh, Index face, Index behind);
 
 struct ZonedFaces
@@ -29,8 +29,8 @@ struct ZonedFaces
 /// Gives internal faces the numbers of their zones.
 void markZones(const std::vector<ZonedFaces>& zones, std::vector<Index>& zoneOf);
 
-/// With the faces of a mesh that was made of theirs by merging: `faceOf` has the number in it of each face there was,
-/// noIndex where it is not there; without any, numbers are the same. Faces are rising.
+/// Returns the zones with faces of a merged mesh. `faceOf` has the new number of each earlier face, noIndex for one
+/// that is gone; it is empty if numbers did not change. Faces are in ascending order.
 std::vector<FaceZone> faceZonesOf(const std::vector<ZonedFaces>& zones, const std::vector<Index>& faceOf,
                                   const FaceMesh& mesh);
 

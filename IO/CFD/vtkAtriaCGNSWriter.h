@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Writer that saves a mesh with its patches and zones as CGNS.
 /**
  * @class   vtkAtriaCGNSWriter
  * @brief   Writes a mesh and its named patches as a CGNS file
  *
  * Inputs are those of vtkAtriaMeshWriter; cells and faces are merged as vtkAtriaPolyhedralMeshWriter says.
  *
- * Written is a CGNS file in HDF5 with one unstructured zone: faces as NGON_n, internal ones first and then patch by
- * patch, cells as NFACE_n, coordinates in double precision. Each patch is a boundary condition of the family of its
- * name, which says what it is (BCWall, or BCGeneral for the domain's sides and `defaultFaces`); both sides of a sheet
- * have the family
- * `<name>` as a further one. Cells of one `ZoneId` are a ZoneSubRegion where there are several.
+ * The file is CGNS in HDF5 with one unstructured zone: faces as NGON_n, internal ones first and then patch by patch,
+ * cells as NFACE_n, coordinates in double precision. Each patch is a boundary condition. The family of its name states
+ * its type: BCWall, or BCGeneral for the domain's sides and `defaultFaces`. Both sides of a sheet have `<name>` as a
+ * further family. Cells of one `ZoneId` are a ZoneSubRegion if there are several.
  *
- * Names are made valid (32 ASCII characters without /); the descriptor `OriginalName` of a family keeps what they were.
+ * Names are made valid (32 ASCII characters without /); the descriptor `OriginalName` of a family keeps the original.
  *
- * Without libcgns when Atria was built every Write() is an error, see IsAvailable().
+ * If Atria was built without libcgns, every Write() is an error, see IsAvailable().
  *
  * @sa vtkAtriaOpenFOAMWriter vtkAtriaDualMesher
  */
@@ -31,14 +31,14 @@ public:
 
   ///@{
   /**
-   * The file, replaced where it is there; its folder must be there. No default.
+   * The file to write; an existing one is replaced. Its folder must exist. No default.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
   /**
-   * Whether libcgns was there when Atria was built.
+   * True if Atria was built with libcgns.
    */
   static bool IsAvailable();
 

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Writer that saves a mesh with its patches and zones in Fluent's format.
 /**
  * @class   vtkAtriaFluentWriter
  * @brief   Writes a mesh and its named patches as a Fluent mesh
  *
  * Inputs are those of vtkAtriaMeshWriter; cells and faces are merged as vtkAtriaPolyhedralMeshWriter says.
  *
- * Written is Fluent's text format (.msh) of faces, which holds polyhedra: points, cells with their types, faces zone by
- * zone, and the names of zones. Cells of one `ZoneId` are one fluid zone; they are numbered zone by zone.
+ * The file is in Fluent's text format (.msh) of faces, which holds polyhedra: points, cells with their types, faces
+ * zone by zone, and the names of zones. Cells of one `ZoneId` are one fluid zone; they are numbered zone by zone.
  *
- * Patches are zones of type `wall`, but for the domain's sides (xMin, xMax, yMin, yMax, zMin, zMax, domainSide1 …) and
+ * Patches are zones of type `wall`, except the domain's sides (xMin, xMax, yMin, yMax, zMin, zMax, domainSide1 …) and
  * `defaultFaces`: these are of type `pressure-outlet`, which is for the user to change. Names are made valid (ASCII
- * letters, digits and _ . -, none twice if capitals do not count). The two sides of a sheet, `<name>_front` and
+ * letters, digits and _ . -) and unique without regard to capitals. The two sides of a sheet, `<name>_front` and
  * `<name>_back`, are the wall `<name>` and its shadow `<name>-shadow`. Patches without faces are left out.
  *
  * @sa vtkAtriaOpenFOAMWriter vtkAtriaDualMesher
@@ -29,7 +30,7 @@ public:
 
   ///@{
   /**
-   * The file, replaced where it is there; its folder must be there. No default.
+   * The file to write; an existing one is replaced. Its folder must exist. No default.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);

@@ -18,7 +18,7 @@
 
 namespace {
 
-/// What a user should know where the names of patches are lost; else nothing.
+/// Returns a warning if the names of patches are lost; else an empty string.
 std::string lossOf(atria::PatchOrigin origin)
 {
   if (origin == atria::PatchOrigin::None)

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Writer that all writers of solvers' formats derive from.
 /**
  * @class   vtkAtriaMeshWriter
- * @brief   What the writers of solvers' formats have in common: a volume mesh with its named patches
+ * @brief   Common base of the writers of solvers' formats: takes a volume mesh with its named patches
  *
- * Input port 0 takes the volume mesh (vtkUnstructuredGrid of tetrahedra, voxels, hexahedra, wedges, pyramids
- * and polyhedra). Input port 1, optional, takes its boundary patches: a vtkPartitionedDataSetCollection of
- * named vtkPolyData with the cell array `OwnerCellId` and the point array `VolumePointId`, such as
- * vtkAtriaDualMesher's second output. Without them those that the mesher recorded in the mesh are taken, as long as its
- * cells are the same; where there are none, a warning says that names are lost. Boundary faces in no patch go to one
- * named `defaultFaces`.
+ * Input port 0 takes the volume mesh (vtkUnstructuredGrid of tetrahedra, voxels, hexahedra, wedges, pyramids and
+ * polyhedra). Input port 1, optional, takes its boundary patches: a vtkPartitionedDataSetCollection of named
+ * vtkPolyData with the cell array `OwnerCellId` and the point array `VolumePointId`, such as vtkAtriaDualMesher's
+ * second output. Without them, the patches that the mesher recorded in the mesh are used, as long as its cells are the
+ * same. If there are none, a warning says that names are lost. Boundary faces in no patch go to one named
+ * `defaultFaces`.
  *
- * Files are put in place when they are complete: what fails or is aborted leaves what was there.
+ * Files are put in place when they are complete: a failed or aborted Write() leaves earlier files.
  *
- * An input without cells, a mesh that is not a manifold, a patch face that is not a face of its owner cell
- * and a file that cannot be written are errors: Write() returns 0. For the last GetErrorCode() is
+ * An input without cells, a mesh that is not a manifold, a patch face that is not a face of its owner cell and a file
+ * that cannot be written are errors: Write() returns 0. After the last of these, GetErrorCode() is
  * vtkErrorCode::CannotOpenFileError.
  *
  * @sa vtkAtriaOpenFOAMWriter
@@ -50,8 +51,8 @@ public:
 
   ///@{
   /**
-   * Add to all points what the reader subtracted when it moved the model to the origin (field array `ModelOffset` of
-   * the mesh), so that the mesh written is where the model was. Off by default.
+   * Add the offset that the reader subtracted when it moved the model to the origin (field array `ModelOffset` of the
+   * mesh) to all points, so that the written mesh is in the model's place. Off by default.
    */
   vtkSetMacro(RestoreOffset, bool);
   vtkGetMacro(RestoreOffset, bool);
@@ -60,8 +61,8 @@ public:
 
   ///@{
   /**
-   * How many ranks write together, and the number of this one: what they hold is brought to the first one, which writes
-   * it, once. ParaView sets both. 1 and 0 by default: the mesh is written by who is told to.
+   * Number of ranks that write together, and the number of this one. The data of all ranks is brought to the first one,
+   * which writes it once. ParaView sets both. 1 and 0 by default: each process writes its own data.
    */
   vtkSetMacro(NumberOfPieces, int);
   vtkGetMacro(NumberOfPieces, int);
@@ -88,65 +89,66 @@ protected:
   ATRIA_WRITE_BY(WriteAll)
 
   /**
-   * Writes the target; sets the error code where that fails.
+   * Writes the target. Sets the error code on failure.
    */
   virtual void WriteAll();
 
   /**
-   * Those of input port 1, or null.
+   * Returns the patches of input port 1, or null.
    */
   vtkPartitionedDataSetCollection* GetPatches();
 
   /**
-   * File or folder, as it was given; empty without.
+   * Returns the file or folder as it was given; empty if none was given.
    */
   virtual std::string GetTarget() const = 0;
 
   /**
-   * What is written and by which property it is told where to, for messages.
+   * Return the name of the format, and the property that sets the target, for messages.
    */
   virtual const char* GetFormatName() const = 0;
   virtual const char* GetTargetProperty() const = 0;
 
   /**
-   * On the first of several ranks, before all is written: the rank of each cell, where the mesh came from several.
+   * Called on the first of several ranks before all is written, with the rank of each cell if the mesh came from
+   * several.
    */
   virtual void TakeRanks(vtkMultiProcessController&, std::span<const std::uint32_t>) {}
 
   /**
-   * On all of several ranks, with what each of them holds: writes it and returns what RequestData is to, or returns
-   * nothing, on all, where the first is to write the whole.
+   * Called on all of several ranks, with the data of each. Writes it and returns the result of RequestData. Returns
+   * nullopt on all ranks if the first rank is to write the whole mesh.
    */
   virtual std::optional<int> WritePieces(vtkMultiProcessController&) { return std::nullopt; }
 
   /**
-   * On all of several ranks, once the first has written what it has to. Throws as WriteMesh(), on the first rank for
-   * all of them. Returns whether all went well.
+   * Called on all of several ranks, after the first has written its files. Throws as WriteMesh() does, on the first
+   * rank for all of them. Returns true on success.
    */
   virtual bool WriteOnRanks(vtkMultiProcessController&) { return true; }
 
   /**
-   * On all of several ranks in the end, whether all went well or not.
+   * Called on all of several ranks in the end, also after a failure, unless WritePieces() has written the mesh.
    */
   virtual void LeaveRanks() {}
 
   /**
-   * Makes of what `write` throws an error of the writer.
+   * Reports what `write` throws as an error of the writer.
    */
   void WriteAndTell(const std::function<void()>& write);
 
   /**
-   * Writes the mesh, once it is put in its place by Place(). Throws atria::Error or atria::Aborted.
+   * Writes the mesh; Place() puts its points in place. Throws atria::Error or atria::Aborted.
    */
   virtual void WriteMesh(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source, const atria::RunContext& context) = 0;
 
   /**
-   * What GetErrorCode() is to be.
+   * Returns the value for GetErrorCode().
    */
   static unsigned long ErrorCodeFor(const std::exception& error);
 
   /**
-   * Restores the offset where that is asked for. Cells are better judged before.
+   * Restores the offset if RestoreOffset is on. Cells are better judged before.
    */
   void Place(vtkUnstructuredGrid* volume, atria::FaceMesh& mesh) const;
 

@@ -1,33 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Writer that adds a complete simpleFoam case, of wind or of a ventilated room, to a mesh.
 /**
  * @class   vtkAtriaOpenFOAMCaseWriter
  * @brief   writes an OpenFOAM case of wind around and through buildings, or of a ventilated room, that runs as it is
  *
- * Inputs are those of vtkAtriaOpenFOAMWriter, which writes the mesh. Beside it are written the folders 0, constant and
- * system for steady Reynolds-averaged flow by simpleFoam (incompressible, turbulent), the scripts Allrun and Allclean,
- * and case.json, which tells `atria report` what the case is.
+ * Inputs are those of vtkAtriaOpenFOAMWriter, which writes the mesh. Beside it this writer puts the folders 0, constant
+ * and system for steady Reynolds-averaged flow by simpleFoam (incompressible, turbulent), the scripts Allrun and
+ * Allclean, and case.json, which describes the case to `atria report`.
  *
- * Wind comes as the neutral boundary layer of Richards and Hoxey (1993), by a reference speed at a reference height and
- * a roughness length; the ground has the wall function of the same length. By themselves patches become
+ * The wind is the neutral boundary layer of Richards and Hoxey (1993), given by a reference speed at a reference height
+ * and a roughness length; the ground has the wall function of the same length. Without a rule patches become
  * - inlet, outlet or slip: plane, upright sides of the domain, by their angle to the wind;
  * - slip: the top of the domain;
- * - ground: what closes the domain below, also a wall that reaches its sides;
- * - walls: all others. PatchRules say otherwise by name, ConditionRules give entries of one field.
+ * - ground: patches that close the domain below, also a wall that reaches its sides;
+ * - walls: all others.
  *
- * A mesh whose sides are all walls, and whose openings are inlets and outlets by name or by PatchRules, becomes a room:
- * each inlet blows along its own inward normal, by InletSpeed or InletFlowRate or what its rule says; outlets have the
- * pressure 0, and air that comes back in there starts at rest; all else are walls. A room has no wind. Words in names
- * that make a patch an inlet are inlet, inflow, supply and diffuser, and of outlets outlet, outflow, exhaust, extract
- * and return, whatever their capitals, such as Inlet_1; names that also have a word such as wall, duct, frame or power
- * are neither. Kind says otherwise.
+ * PatchRules override this by name, ConditionRules give entries of one field.
+ *
+ * A mesh whose sides are all walls, and whose openings are inlets and outlets by name or by PatchRules, becomes a room.
+ * Each inlet blows along its own inward normal, by InletSpeed or InletFlowRate or its rule. Outlets have the pressure
+ * 0, and air that comes back in there starts at rest; all other patches are walls. A room has no wind. Words in names
+ * that make a patch an inlet are inlet, inflow, supply and diffuser; those for outlets are outlet, outflow, exhaust,
+ * extract and return, whatever their capitals, such as Inlet_1. Names that also have a word such as wall, duct, frame
+ * or power are neither. Kind overrides this.
  *
  * With several wind directions each has a folder `wind_<degrees it comes from>` of its own, which shares the mesh by a
- * link. Schemes and relaxation follow from the worst non-orthogonality of the mesh. While the case runs it measures the
- * flow through every face zone and every open side, forces on walls, and speeds at pedestrian height.
+ * link. Schemes and relaxation follow from the largest non-orthogonality of the mesh. While the case runs it measures
+ * the flow through every face zone and every open side, forces on walls, and speeds at pedestrian height.
  *
- * What is refused, beside what vtkAtriaOpenFOAMWriter refuses: a rule that matches no patch, a mesh no patch of which
- * lets air in or out, a room with wind angles, and a folder that holds results of a run. Write() returns 0 then.
- * Warnings tell of inlets that the wind does not enter, and of sheets that blow from both sides.
+ * Besides the errors of vtkAtriaOpenFOAMWriter, these are errors: a rule that matches no patch, a mesh without a patch
+ * that lets air in, or without one that lets it out, a room with wind angles, and a folder that holds results of a run.
+ * Write() returns 0 then. Warnings report inlets that the wind does not enter, and sheets that blow from both sides.
  *
  * @sa vtkAtriaOpenFOAMWriter
  */
@@ -59,8 +62,8 @@ public:
   };
   ///@{
   /**
-   * What moves the air: Wind, or the inlets of a Room. Automatic, the default, is Room if no wind angles are given, a
-   * patch is an inlet or an outlet by its name or by a rule, and all others are walls, but for a missing floor.
+   * The cause of the flow: Wind, or the inlets of a Room. Automatic, the default, is Room if no wind angles are given,
+   * a patch is an inlet or an outlet by its name or by a rule, and all others are walls, except for a missing floor.
    */
   vtkAtriaSetInRangeMacro(Kind, int, Automatic, Room);
   vtkGetMacro(Kind, int);
@@ -73,8 +76,8 @@ public:
   };
   ///@{
   /**
-   * Whether inlets of a room blow by InletSpeed (the default) or by InletFlowRate. PatchRules say otherwise for single
-   * inlets.
+   * Quantity that sets the flow of a room's inlets: InletSpeed (the default) or InletFlowRate. PatchRules override it
+   * for single inlets.
    */
   vtkAtriaSetInRangeMacro(InletQuantity, int, BySpeed, ByFlowRate);
   vtkGetMacro(InletQuantity, int);
@@ -98,8 +101,8 @@ public:
 
   ///@{
   /**
-   * Of the case that was written last: Wind or Room; Automatic before the first. Summary is a sentence about what flows
-   * in and out of a room, and empty for wind.
+   * Kind of the case that was written last: Wind or Room; Automatic before the first. Summary is a sentence about the
+   * flow in and out of a room, and empty for wind.
    */
   vtkGetMacro(WrittenKind, int);
   vtkGetMacro(Summary, std::string);
@@ -132,8 +135,8 @@ public:
 
   ///@{
   /**
-   * Where the wind blows to, degrees from x, counterclockwise from above; one run each. None, the default, is one run
-   * from the domain's xMin to its xMax, or into its domainSide1, or along x where it has no such sides.
+   * Directions the wind blows to, degrees from x, counterclockwise from above; one run each. None, the default, is one
+   * run from the domain's xMin to its xMax, or into its domainSide1, or along x if it has no such sides.
    */
   void AddWindAngle(double degrees);
   void RemoveAllWindAngles();
@@ -152,7 +155,7 @@ public:
 
   ///@{
   /**
-   * Where north lies, degrees from y, counterclockwise from above. Default 0.
+   * Direction of north, degrees from y, counterclockwise from above. Default 0.
    */
   vtkAtriaSetInRangeMacro(NorthAngle, double, -360.0, 360.0);
   vtkGetMacro(NorthAngle, double);
@@ -181,7 +184,7 @@ public:
   };
   ///@{
   /**
-   * Whose OpenFOAM the case is for. Default OpenCFD1912.
+   * The OpenFOAM distribution and version that the case is for. Default OpenCFD1912.
    */
   vtkAtriaSetInRangeMacro(Dialect, int, OpenCFD1912, Foundation14);
   vtkGetMacro(Dialect, int);
@@ -189,7 +192,7 @@ public:
 
   ///@{
   /**
-   * Iterations of the solver, at most. Default 1000.
+   * Maximum number of iterations of the solver. Default 1000.
    */
   vtkAtriaSetInRangeMacro(NumberOfIterations, int, 1, 10000000);
   vtkGetMacro(NumberOfIterations, int);
@@ -197,7 +200,7 @@ public:
 
   ///@{
   /**
-   * Height above the ground of the places where speeds are measured, meters. Default 1.75.
+   * Height above the ground of the probes for speeds, meters. Default 1.75.
    */
   vtkAtriaSetInRangeMacro(PedestrianHeight, double, 1e-3, 1000.0);
   vtkGetMacro(PedestrianHeight, double);
@@ -214,10 +217,10 @@ public:
 
   ///@{
   /**
-   * What patches are, as `PATTERN ROLE`: the pattern (* and ? stand for text) in double quotes where it holds blanks,
-   * and inlet, inlet:AMOUNT (which blows along its normal; m/s, m3/s, m3/h or l/s, such as inlet:0.5m/s), outlet,
-   * inletOutlet (by the flow), slip, ground, wall or rough:SIZE (a wall with sand grains of that height, meters). Of
-   * several rules for a patch the last holds. None by default.
+   * Roles of patches, as `PATTERN ROLE`. The pattern (* and ? stand for text) is in double quotes if it holds blanks.
+   * Roles are inlet, inlet:AMOUNT (which blows along its normal; m/s, m3/s, m3/h or l/s, such as inlet:0.5m/s), outlet,
+   * inletOutlet (by the flow), slip, ground, wall or rough:SIZE (a wall with sand grains of that height, meters). The
+   * last of several rules for a patch holds. None by default.
    */
   void AddPatchRule(const char* rule);
   void RemoveAllPatchRules();
@@ -237,8 +240,8 @@ public:
   ///@}
 
   /**
-   * Writes the case for a mesh that is there already: that of the OpenFOAM case in the folder `source`, which is copied
-   * unless it is CaseDirectory. Inputs are not used. Returns 1, or 0 after an error.
+   * Writes the case for an existing mesh: that of the OpenFOAM case in the folder `source`, which is copied unless it
+   * is CaseDirectory. Inputs are not used. Returns 1, or 0 after an error.
    */
   int WriteForMesh(const char* source);
 
@@ -247,7 +250,7 @@ protected:
   ~vtkAtriaOpenFOAMCaseWriter() override;
 
   void WriteAll() override;
-  /// Those of the case as a whole, once its patches have their types.
+  /// Writes nothing: the processors of the case are written as a whole, once its patches have their types.
   void WriteProcessors(const std::vector<std::uint32_t>&, const atria::RunContext&) override {}
 
 private:

@@ -150,7 +150,7 @@ void vtkAtriaOpenFOAMWriter::WritePiece(const atria::MeshPiece& piece, vtkUnstru
   const atria::PieceCase target{this->CaseDirectory, this->GetFormat(), this->GetMergeUnderdeterminedCells(),
                                 this->GetMergeCoplanarFaces(),
                                 [&](atria::FaceMesh& mesh) { this->Place(volume, mesh); }};
-  const atria::WrittenCase written = atria::writePieces(target, piece, volume, ranks, run.context);
+  const atria::WrittenPieces written = atria::writePieces(target, piece, volume, ranks, run.context);
   this->Tell(written.verdict, written.mergedCells, written.addedCells, written.mergedFaces);
   if (ranks.rank() > 0)
   {

@@ -20,7 +20,7 @@ vtkAtriaPolyhedralMeshWriter::vtkAtriaPolyhedralMeshWriter() = default;
 
 vtkAtriaPolyhedralMeshWriter::~vtkAtriaPolyhedralMeshWriter() = default;
 
-/// Unites cells and faces, and tells how that is judged.
+/// Merges cells and faces, and reports the verdict on the result.
 atria::JudgedMesh vtkAtriaPolyhedralMeshWriter::Unite(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source,
                                                       const atria::SolverSource& parts,
                                                       const atria::RunContext& context)

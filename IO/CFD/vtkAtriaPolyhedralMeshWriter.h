@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Writer that all writers of formats with polyhedra derive from.
 /**
  * @class   vtkAtriaPolyhedralMeshWriter
- * @brief   What the writers of formats that hold polyhedra have in common: cells and faces that are made one
+ * @brief   Common base of the writers of formats that hold polyhedra: merges cells and faces
  *
  * Coplanar faces of one patch that one cell owns, and nearly coplanar ones between the same two cells, are written as
- * one face where that is possible (see MergeCoplanarFaces): OpenFOAM's checkMesh takes such a cell, or one of such two,
- * for concave.
+ * one face if possible (see MergeCoplanarFaces). OpenFOAM's checkMesh reports such a cell, or one of such two, as
+ * concave.
  *
- * A cell with one or two neighbors, in a corner between walls, is made one with a neighbor where that is possible
- * (see MergeUnderdeterminedCells): no gradient can be determined from two neighbors, and checkMesh objects to it.
+ * A cell with one or two neighbors, in a corner between walls, is merged with a neighbor if possible (see
+ * MergeUnderdeterminedCells): no gradient can be determined from two neighbors, and checkMesh objects to it.
  *
- * What is written is judged as OpenFOAM's `checkMesh -allGeometry` does. Cells and faces are left as they are where a
- * sound cell would fail a check. For each check that fails a warning says where, in the coordinates of the input, and
- * what to do.
+ * The written mesh is judged as OpenFOAM's `checkMesh -allGeometry` does. Cells and faces are not merged if a valid
+ * cell would then fail a check. For each failed check a warning gives the places, in the coordinates of the input, and
+ * a remedy.
  *
  * Cells keep their order; where some were merged, all later ones have lower numbers.
  *
@@ -46,10 +47,10 @@ public:
 
   ///@{
   /**
-   * Make a cell with too few neighbors one with a neighbor, or with up to five other cells, where the union is valid
-   * and checkMesh does not object to it, concavity apart. Where the union would be concave, or there is none, the cell
-   * is cut into pyramids over its faces if checkMesh does not object to these. Too few are three at most with a
-   * determinant below checkMesh's limit of 0.001. The input's cells and patches stay as they are. On by default.
+   * Merge a cell with too few neighbors with a neighbor, or with up to five other cells, if the union is valid and
+   * checkMesh does not object to it, concavity apart. If the union would be concave, or there is none, the cell is cut
+   * into pyramids over its faces if checkMesh does not object to these. Too few are three at most with a determinant
+   * below checkMesh's limit of 0.001. The input's cells and patches stay as they are. On by default.
    */
   vtkSetMacro(MergeUnderdeterminedCells, bool);
   vtkGetMacro(MergeUnderdeterminedCells, bool);
@@ -68,34 +69,34 @@ public:
   ///@}
 
   /**
-   * Judge what Write() would write, with cells and faces merged, and write nothing. The properties below tell what came
-   * of it, as after a Write(). Returns false where the input cannot be judged, after an error. In one process only.
+   * Judge what Write() would write, with cells and faces merged, and write nothing. The properties below report the
+   * result, as after a Write(). Returns false if the input cannot be judged, after an error. In one process only.
    */
   bool Judge();
 
   /**
-   * Number of checks that fail in what was written last, as checkMesh counts them. 0 before the first Write().
+   * Number of checks that the mesh written last fails, as checkMesh counts them. 0 before the first Write().
    */
   vtkGetMacro(NumberOfFailedChecks, int);
 
   /**
-   * The checks of what was written last, with a row for each as in vtkAtriaMeshQuality's output port 3. Empty before
+   * The checks of the mesh written last, with a row for each as in vtkAtriaMeshQuality's output port 3. Empty before
    * the first Write().
    */
   vtkTable* GetChecks();
 
   /**
-   * How many cells fewer were written than the input has, as some were merged. 0 before the first Write().
+   * Number of cells of the input that disappeared in merges. 0 before the first Write().
    */
   vtkGetMacro(NumberOfMergedCells, vtkIdType);
 
   /**
-   * How many cells more were written than the input has, as some were cut into pyramids. 0 before the first Write().
+   * Number of cells added by cutting cells into pyramids. 0 before the first Write().
    */
   vtkGetMacro(NumberOfAddedCells, vtkIdType);
 
   /**
-   * How many faces fewer were written than the input has, as coplanar ones were merged. 0 before the first Write().
+   * Number of faces of the input that disappeared in merges of coplanar ones. 0 before the first Write().
    */
   vtkGetMacro(NumberOfMergedFaces, vtkIdType);
 
@@ -106,18 +107,18 @@ protected:
   void WriteMesh(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source, const atria::RunContext& context) override;
 
   /**
-   * The part of each cell of the input, where cells are to be written in parts: SolverMesh::partOf. None, if not
+   * Returns the part of each cell of the input if cells are written in parts: SolverMesh::partOf. Empty unless
    * overridden.
    */
   virtual std::vector<std::uint32_t> DivideCells(vtkUnstructuredGrid*, const atria::Executor&) { return {}; }
 
   /**
-   * Writes what all of that became.
+   * Writes the mesh after merges.
    */
   virtual void WriteSolverMesh(const atria::SolverMesh& mesh, const atria::RunContext& context) = 0;
 
   /**
-   * What came of unions, for the properties that tell it.
+   * Stores the results of merges for the properties that report them.
    */
   void Tell(const atria::MeshVerdict& verdict, std::size_t mergedCells, std::size_t addedCells,
             std::size_t mergedFaces);

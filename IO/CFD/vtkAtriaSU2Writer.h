@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Writer that saves a mesh with its patches in SU2's format.
 /**
  * @class   vtkAtriaSU2Writer
  * @brief   Writes a mesh and its named patches as an SU2 mesh
  *
  * Inputs are those of vtkAtriaMeshWriter.
  *
- * Written is SU2's text format (.su2). It has no polyhedra: each is cut into pyramids over its quadrilaterals and
- * tetrahedra over triangles, with a common apex inside, at its centroid where that sees all of its faces. A face of
- * more corners is cut into triangles the same way for both of its cells, from its corner of the lowest number that sees
- * all of its edges. Other cells are written as they are, in the order of the input; the parts of a polyhedron stand in
- * its place.
+ * The file is in SU2's text format (.su2). The format has no polyhedra: each is cut into pyramids over its
+ * quadrilaterals and tetrahedra over triangles. Their common apex is inside, at the centroid if that sees all faces. A
+ * face of more corners is cut into triangles the same way for both of its cells, from its corner of the lowest number
+ * that sees all of its edges. Other cells are written unchanged, in the order of the input; the parts of a polyhedron
+ * stand in its place.
  *
- * Patches become markers (MARKER_TAG); names are made valid (ASCII letters, digits and _ . - + : /), and a comment
- * keeps what they were. `ZoneId` has no place in the format.
+ * Patches become markers (MARKER_TAG). Names are made valid (ASCII letters, digits and _ . - + : /), and a comment
+ * keeps the originals. `ZoneId` has no place in the format.
  *
- * SU2 knows faces by their points alone: it cannot tell the sides of a sheet one face wide apart, whose points are all
- * on its boundary edges; a warning says how many such faces there are. So does one where parts of polyhedra are inside
- * out.
+ * SU2 knows faces by their points alone. It cannot distinguish the sides of a sheet one face wide, whose points are all
+ * on its boundary edges; a warning counts such faces. Another warning reports parts of polyhedra that are inside out.
  *
  * @sa vtkAtriaOpenFOAMWriter vtkAtriaDualMesher
  */
@@ -34,7 +34,7 @@ public:
 
   ///@{
   /**
-   * The file, replaced where it is there; its folder must be there. No default.
+   * The file to write; an existing one is replaced. Its folder must exist. No default.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);

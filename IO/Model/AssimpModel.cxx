@@ -16,7 +16,7 @@ namespace {
 using assimp::Json;
 using assimp::Placing;
 
-/// What `pattern` finds first, in its first group.
+/// Returns the first group of the first match of `pattern`; empty if there is none.
 std::string foundIn(const std::string& head, const char* pattern)
 {
   std::smatch match;
@@ -58,7 +58,7 @@ Model readAssimp(const std::string& file, const ProgressRange& progress)
   {
     assimp::throwFailed(file, run);
   }
-  constexpr std::size_t headLength = 1 << 16; // of what stands before the geometry
+  constexpr std::size_t headLength = 1 << 16; // as much as stands before the geometry
   const Placing placing = placingOf(ending, bytes.substr(0, headLength), run.tree.at("metadata"));
   Model model = assimp::modelOf(run.tree, file, placing);
   model.head = headOf(bytes);

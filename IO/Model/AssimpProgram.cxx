@@ -170,7 +170,7 @@ private:
   std::size_t skipped = 0;
 };
 
-/// Ends the process when it has computed for longer than a sound file of this size needs.
+/// Ends the process after more computing time than an intact file of this size needs.
 void limitTime(const std::string& file)
 {
   std::error_code none;
@@ -185,7 +185,8 @@ void limitTime(const std::string& file)
   }).detach();
 }
 
-/// No more memory than the machine has, and no core. Windows has no such limits; sanitizers take more than there is.
+/// Limits memory to that of the machine, and writes no core. Windows has no such limits; sanitizers take more than
+/// there is.
 void limitMemory()
 {
 #ifdef ATRIA_HAS_LIMITS
@@ -200,7 +201,7 @@ void limitMemory()
 #endif
 }
 
-/// Else Windows would add a byte to each that ends a line.
+/// Prevents Windows from adding a byte to each that ends a line.
 void writeBytesAsTheyAre()
 {
 #ifdef _WIN32
@@ -213,6 +214,7 @@ Json read(const std::string& file)
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true); // else they are ids
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  importer.SetPropertyBool("AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION", true); // of assimp 6; earlier ones never turn
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_ANIMATIONS);
   const aiScene* scene = importer.ReadFile(file, 0);
   if (!scene || !scene->mRootNode)

@@ -17,7 +17,8 @@ namespace atria::model::assimp {
 
 namespace {
 
-/// assimp's names for what has none begin with $ or <, and those of IFC end with an identifier of 22 characters.
+/// Returns a name without assimp's additions. Its names for unnamed objects begin with $ or <, and those of IFC end
+/// with an identifier of 22 characters.
 std::string ownName(const Json& group, bool isIfc)
 {
   std::string name = toUtf8(group.at("name").get<std::string>());
@@ -35,7 +36,7 @@ std::string ownName(const Json& group, bool isIfc)
   return name;
 }
 
-/// From what the program wrote to a model.
+/// Makes a model of the program's output.
 class TreeModel
 {
 public:
@@ -76,7 +77,7 @@ public:
   }
 
 private:
-  /// Meshes of one node and material are one.
+  /// Adds a mesh. Meshes of one node and material are one part.
   void addPart(const Json& mesh)
   {
     const auto group = mesh.at("group").get<std::size_t>();
@@ -107,7 +108,7 @@ private:
     }
   }
 
-  /// Of the innermost node that has one, else of the mesh.
+  /// Returns the name of the innermost node that has one, else of the mesh.
   std::string nameIn(std::size_t group, const Json& mesh) const
   {
     for (std::optional<std::size_t> at = group; at; at = model.groups.at(*at).parent)

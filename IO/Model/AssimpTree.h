@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What assimp reads of a file, in a process of its own (AssimpProgram.cxx), and a model made of it.
+/// Runs assimp on a file in a process of its own (AssimpProgram.cxx), and makes a model of its output.
 #pragma once
 
 #include "ModelParts.h"
@@ -18,7 +18,7 @@ namespace atria::model::assimp {
 
 using Json = nlohmann::json;
 
-/// How the process ended, and what it has read: both as AssimpProgram.cxx says.
+/// End and output of the process, as documented in AssimpProgram.cxx.
 struct Run
 {
   int status = 0;
@@ -28,13 +28,14 @@ struct Run
   bool tookTooLong() const { return status == 3; }
 };
 
-/// Throws Error where the program is not there, or Aborted. `file` is the model in messages, `path` what is read.
+/// Runs assimp. Throws Error if the program does not exist, or Aborted. `file` is the model in messages, `path` the
+/// file that is read.
 Run run(const std::string& file, const std::string& path, const ProgressRange& progress);
 
-/// Throws Error that says why a run failed.
+/// Throws Error with the reason for a failed run.
 [[noreturn]] void throwFailed(const std::string& file, const Run& run);
 
-/// What assimp, or the file, says of unit and axis. Models whose format says that z is up are turned by assimp.
+/// Unit and axis by assimp or the file. assimp turns models whose format says that z is up.
 struct Placing
 {
   double scale = 1.0; ///< to meters, where assimp has not converted lengths itself
@@ -43,10 +44,10 @@ struct Placing
   bool axisKnown = true;
 };
 
-/// Meshes of one node and material are one part.
+/// Makes a model. Meshes of one node and material are one part.
 Model modelOf(const Json& tree, const std::string& file, const Placing& placing);
 
-/// The numbers of a binary entry.
+/// Returns the numbers of a binary entry.
 template <typename T> std::vector<T> numbersIn(const Json& value)
 {
   const auto& bytes = value.get_binary();

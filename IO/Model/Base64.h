@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Decodes base64, as JSON and other text formats embed it.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,7 @@
 
 namespace atria::model {
 
-/// The bytes that base64 stands for, up to the padding or to what is none of it.
+/// Returns the bytes that base64 stands for, up to the padding or to the first character of another alphabet.
 inline std::string fromBase64(std::string_view text)
 {
   std::string out;

@@ -29,7 +29,7 @@ struct EndProcess
   }
 };
 
-/// Empty where the system does not tell.
+/// Returns the path of the library; empty if the system does not report it.
 std::string ownLibrary()
 {
 #ifdef _WIN32

@@ -25,7 +25,7 @@ namespace {
 using Json = nlohmann::json;
 using Transform = Eigen::Affine3d;
 
-/// "2.2" to 2.2; numbers were allowed once.
+/// Returns a level such as "2.2" as a number; numbers were allowed once.
 double levelOf(const Json& geometry)
 {
   const Json& lod = entryOf(geometry, "lod");
@@ -41,7 +41,7 @@ Vec3 vectorOf(const Json& list, const Vec3& fallback)
   return good ? Vec3(list[0].get<double>(), list[1].get<double>(), list[2].get<double>()) : fallback;
 }
 
-/// How deep the surfaces of a geometry are within its boundaries; 0 for what has none.
+/// Returns the depth of a geometry's surfaces within its boundaries; 0 for types without surfaces.
 int depthOf(const std::string& type)
 {
   static const std::map<std::string, int> depths{
@@ -50,7 +50,7 @@ int depthOf(const std::string& type)
   return found == depths.end() ? 0 : found->second;
 }
 
-/// Of a version such as 2.0; 0 where there is none.
+/// Returns the major number of a version such as 2.0; 0 if there is none.
 int majorOf(const std::string& version)
 {
   int number = 0;
@@ -70,9 +70,9 @@ public:
 private:
   struct Place
   {
-    std::size_t group; ///< of the object
+    std::size_t group; ///< group of the object
     std::string id;
-    std::string type; ///< of the object
+    std::string type; ///< type of the object
   };
   /// Points of one list as the faces have them.
   struct Points
@@ -99,7 +99,7 @@ private:
   Model model;
   ModelFaces faces;
   std::vector<Part> parts;
-  std::map<std::string, std::size_t> groups; ///< by identifier of the object
+  std::map<std::string, std::size_t> groups; ///< keyed by the object's identifier
   std::map<std::pair<std::size_t, std::string>, int> partOf;
   Transform transform = Transform::Identity();
   Json templates;
@@ -162,7 +162,7 @@ void CityReader::addObjects(const Json& objects, const Points& points)
   }
 }
 
-/// Parents come before their children.
+/// Returns the object's group; adds parents before their children.
 std::size_t CityReader::groupOf(const Json& objects, const std::string& id)
 {
   std::vector<std::string> chain{id};
@@ -189,7 +189,7 @@ std::size_t CityReader::groupOf(const Json& objects, const std::string& id)
   return *around;
 }
 
-/// The highest level of detail of an object and what it consists of.
+/// Returns the highest level of detail of an object and its children.
 double CityReader::highestOf(const Json& objects, const std::string& id, std::set<std::string>& seen) const
 {
   double highest = 0.0;
@@ -215,7 +215,7 @@ double CityReader::highestOf(const Json& objects, const std::string& id, std::se
   return highest;
 }
 
-/// Of several levels of detail the highest is taken; none where a child has a higher one.
+/// Adds the highest of several levels of detail; none if a child has a higher one.
 void CityReader::addObject(const Json& objects, const std::string& id, const Points& points)
 {
   const Json& object = objects[id];
@@ -260,7 +260,7 @@ void CityReader::addGeometry(const Json& geometry, const Points& points, const P
   }
 }
 
-/// Whether the shells of a solid close it.
+/// True if the shells of a solid close it.
 bool CityReader::isClosed(const Json& solid, const Points& points) const
 {
   ClosedShell all;
@@ -289,7 +289,7 @@ bool CityReader::isClosed(const Json& solid, const Points& points) const
   return all.isClosed();
 }
 
-/// A template at a place: a matrix, row by row, about one of the document's vertices.
+/// Adds a template at a place: a matrix, row by row, around one of the document's vertices.
 void CityReader::addInstance(const Json& geometry, const Points& points, const Place& place)
 {
   const Json& number = entryOf(geometry, "template");
@@ -383,7 +383,7 @@ Model CityReader::finish()
         " not closed, though given as a solid, so that the inside may be taken for air: " + openSolids.text());
   }
   faces.giveTo(model, keepTree(model, parts), "surfaces");
-  model.unitKnown = true; // of the reference systems that are in use for buildings
+  model.unitKnown = true; // the reference systems for buildings are in meters
   model.axisKnown = true;
   // Types of objects, and classes of their surfaces.
   model.groundMaterials = {"LandUse",

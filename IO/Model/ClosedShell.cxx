@@ -15,7 +15,7 @@ namespace {
 
 using Edge = std::pair<std::size_t, std::size_t>;
 
-/// Edges with an uneven number of polygons; adding one again takes it out.
+/// Edges with an odd number of polygons; adding one again removes it.
 using LooseEdges = std::set<Edge>;
 
 void toggle(LooseEdges& edges, std::size_t a, std::size_t b)
@@ -27,7 +27,7 @@ void toggle(LooseEdges& edges, std::size_t a, std::size_t b)
   }
 }
 
-/// The number of the first point within the reach of each.
+/// Finds the first point within the reach of each.
 class Merger
 {
 public:

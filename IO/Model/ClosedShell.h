@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Whether polygons close a volume.
+/// Checks whether polygons close a volume.
 #pragma once
 
 #include "Support/Types.h"
@@ -9,7 +9,7 @@
 
 namespace atria::model {
 
-/// Polygons that may leave each other's corners out: an edge is also closed by several shorter ones along it.
+/// Polygons that may lack each other's corners: an edge is also closed by several shorter ones along it.
 class ClosedShell
 {
 public:
@@ -18,10 +18,10 @@ public:
     points.push_back(p);
     return points.size() - 1;
   }
-  /// Corners beyond the last point are left out.
+  /// Adds a polygon. Corners beyond the last point are left out.
   void addPolygon(const std::vector<std::size_t>& corners) { polygons.push_back(corners); }
 
-  /// Whether an even number of polygons meets along all edges, but for gaps of a ten-thousandth of the whole.
+  /// True if an even number of polygons meets along all edges, except gaps of a ten-thousandth of the whole.
   bool isClosed() const;
 
 private:

@@ -16,8 +16,8 @@ using Words = std::vector<string_view>;
 
 constexpr string_view space = " \t\r\n";
 
-/// What is between the tags of the next element of that name from `at` on, which then stands behind it; nothing, and
-/// `at` unchanged, where there is none.
+/// Returns the text between the tags of the next element of that name from `at` on, and moves `at` behind it. Returns
+/// nothing, and leaves `at` unchanged, if there is none.
 string_view nextElement(string_view text, string_view name, std::size_t& at)
 {
   const std::string open = "<" + std::string(name);
@@ -52,7 +52,7 @@ Words wordsOf(string_view text)
   return words;
 }
 
-/// How many numbers a corner has: one for each offset of the inputs that stand before its polygon.
+/// Returns the number of indices of a corner: one for each offset of the inputs before its polygon.
 std::size_t numbersOfCorner(string_view before)
 {
   const std::size_t element = before.rfind("<polygons");
@@ -71,7 +71,7 @@ std::size_t numbersOfCorner(string_view before)
   return most + 1;
 }
 
-/// A corner's numbers, again.
+/// Repeats a corner's indices.
 void repeat(Words& words, std::size_t corner, std::size_t size)
 {
   for (std::size_t k = 0; k < size && corner + k < words.size(); ++k)
@@ -80,7 +80,7 @@ void repeat(Words& words, std::size_t corner, std::size_t size)
   }
 }
 
-/// Outline and holes as one polygon: each ring returns to its first corner, and from there to the outline's.
+/// Returns outline and holes as one polygon: each ring returns to its first corner, and from there to the outline's.
 std::string bridged(string_view polygon, std::size_t cornerSize)
 {
   std::size_t at = 0;

@@ -16,7 +16,7 @@ namespace atria::model::dxf {
 
 namespace {
 
-/// In the place of lines that make no group.
+/// Marks lines that make no group.
 constexpr int noCode = -1000;
 
 const Group* find(std::span<const Group> groups, int code)
@@ -25,7 +25,7 @@ const Group* find(std::span<const Group> groups, int code)
   return found == groups.end() ? nullptr : &*found;
 }
 
-/// Words such as SECTION and 3DFACE, which follow the code 0.
+/// True for words such as SECTION and 3DFACE, which follow the code 0.
 bool isKeyword(std::string_view text)
 {
   return !text.empty() && std::ranges::all_of(text, [](unsigned char c) {
@@ -80,7 +80,7 @@ File::File(const std::string& path) : content(readBytes(path))
   }
 }
 
-/// After a line that is no group code it goes on at the next entity.
+/// Reads groups. After a line that is no group code, reading continues at the next entity.
 void File::readGroups()
 {
   const std::string_view text = content;
@@ -208,7 +208,7 @@ std::string_view File::variable(std::string_view name) const
 
 std::string nameOf(std::string_view text)
 {
-  constexpr std::size_t length = 7; // of \U+00E9
+  constexpr std::size_t length = 7; // length of \U+00E9
   std::string out;
   for (std::size_t at = 0; at < text.size();)
   {

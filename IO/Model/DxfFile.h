@@ -27,18 +27,18 @@ struct Entity
   std::string_view type;
   std::span<const Group> groups;
 
-  /// The first value of a code; empty where there is none.
+  /// Returns the first value of a code; empty if there is none.
   std::string_view text(int code) const;
-  /// The first value of a code as a number; nothing where it is none, `fallback` where the code is absent.
+  /// Return the first value of a code as a number: nothing if it is not one, `fallback` if the code is absent.
   std::optional<double> number(int code, double fallback) const;
   std::optional<int> integer(int code, int fallback) const;
-  /// The coordinates in `code`, `code` + 10 and `code` + 20; nothing where one of them is no number. What is absent is
-  /// 0.
+  /// Returns the coordinates in `code`, `code` + 10 and `code` + 20; nothing if one of them is no number. Absent
+  /// coordinates are 0.
   std::optional<Vec3> point(int code) const;
   bool has(int code) const;
 };
 
-/// A list of entities with a point of its own that INSERT puts where it says.
+/// A list of entities that INSERT places, with the base point for that.
 struct Block
 {
   Vec3 base = Vec3::Zero();
@@ -49,16 +49,16 @@ struct Block
 class File
 {
 public:
-  /// Throws Error where it is binary or has no entities.
+  /// Reads a file. Throws Error if it is binary or has no entities.
   explicit File(const std::string& path);
 
   const std::vector<Entity>& entities() const { return own; }
-  /// Null where there is none of that name.
+  /// Returns the block of that name, or null.
   const Block* block(std::string_view name) const;
-  /// Per variable of the header its first value.
+  /// Returns the first value of a variable of the header.
   std::string_view variable(std::string_view name) const;
   const std::string& bytes() const { return content; }
-  /// Lines left out because no group code was where one should be.
+  /// Returns the number of lines left out for want of a group code.
   std::size_t linesLeftOut() const { return skippedLines; }
 
 private:
@@ -71,12 +71,12 @@ private:
   std::string content;
   std::vector<Group> groups;
   std::vector<Entity> own;
-  std::map<std::string, Block, std::less<>> blocks; ///< by name in small letters
+  std::map<std::string, Block, std::less<>> blocks; ///< keyed by name in small letters
   std::map<std::string_view, std::string_view> header;
   std::size_t skippedLines = 0;
 };
 
-/// A name in UTF-8, with characters that the file writes as \U+00E9.
+/// Returns a name in UTF-8, with characters that the file writes as \U+00E9.
 std::string nameOf(std::string_view text);
 
 } // namespace atria::model::dxf

@@ -12,22 +12,22 @@
 
 namespace atria::model::dxf {
 
-inline constexpr double radians = std::numbers::pi / 180.0; ///< in a degree
+inline constexpr double radians = std::numbers::pi / 180.0; ///< per degree
 
-/// The object coordinate system of an entity's extrusion direction (DXF's arbitrary axis algorithm).
+/// Returns the object coordinate system of an entity's extrusion direction (DXF's arbitrary axis algorithm).
 Eigen::Affine3d objectSystem(const Entity& entity);
 
-/// A point of a polyline, and the tangent of a quarter of the arc from it to the next.
+/// A point of a polyline, and the tangent of a quarter of the angle of the arc from it to the next.
 struct Corner
 {
   Vec3 at;
   double bulge = 0.0;
 };
 
-/// The corners, with points on the arcs between them.
+/// Returns the corners, with points on the arcs between them.
 std::vector<Vec3> withArcs(const std::vector<Corner>& corners, bool isClosed);
 
-/// Meters of a unit by its number in the header; 0 for none.
+/// Returns the meters of a unit by its number in the header; 0 for none.
 double metersOf(std::string_view unit);
 
 } // namespace atria::model::dxf

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// DXF: faces, meshes and what has a thickness, in blocks too. Of our own: assimp takes a text that begins with a brace
-/// for a group to skip, and ignores rotation and nesting of blocks.
+/// DXF: faces, meshes and entities with a thickness, in blocks too. Atria has a reader of its own because assimp takes
+/// a text that begins with a brace for a group to skip, and ignores rotation and nesting of blocks.
 #include "DxfFile.h"
 #include "DxfGeometry.h"
 #include "ModelFaces.h"
@@ -38,11 +38,11 @@ public:
   Model run();
 
 private:
-  /// Where the entities of a block are put.
+  /// The placement of a block's entities.
   struct Place
   {
     Transform transform = Transform::Identity();
-    std::string layer; ///< of what is on layer 0 in a block
+    std::string layer; ///< layer of entities on layer 0 in a block
     int depth = 0;
   };
 
@@ -120,7 +120,7 @@ void DrawingReader::addFace(const Entity& face, const Place& place)
   addPolygon(corners, face, place);
 }
 
-/// The sides of what is extruded by its thickness, and the faces at both ends.
+/// Adds the sides of an extruded outline, and the faces at both ends.
 void DrawingReader::addSides(const Entity& entity, const std::vector<Vec3>& outline, bool isClosed, bool hasCaps,
                              const Place& place)
 {
@@ -143,7 +143,7 @@ void DrawingReader::addSides(const Entity& entity, const std::vector<Vec3>& outl
   }
 }
 
-/// SOLID and TRACE, whose last two corners are in the other order.
+/// Adds SOLID or TRACE, whose last two corners are in the other order.
 void DrawingReader::addSolid(const Entity& solid, const Place& place)
 {
   std::vector<Vec3> corners;
@@ -208,7 +208,7 @@ void DrawingReader::addLightPolyline(const Entity& polyline, const Place& place)
   addSides(polyline, dxf::withArcs(corners, isClosed), isClosed, false, place);
 }
 
-/// What has a thickness is extruded by it; lines without make no surface.
+/// Extrudes an entity by its thickness. Lines without a thickness make no surface.
 void DrawingReader::addThick(const Entity& entity, const Place& place)
 {
   if (entity.number(39, 0.0).value_or(0.0) == 0.0)
@@ -219,7 +219,7 @@ void DrawingReader::addThick(const Entity& entity, const Place& place)
   {
     const auto from = entity.point(10);
     const auto to = entity.point(11);
-    // Ends of lines, unlike those of all others, are in world coordinates.
+    // Ends of lines, unlike those of all other entities, are in world coordinates.
     const Transform toObject = dxf::objectSystem(entity).inverse();
     from&& to ? addSides(entity, {toObject * *from, toObject * *to}, false, false, place) : void(++damaged);
   }
@@ -272,7 +272,7 @@ void DrawingReader::addPolyface(const Entity& polyline, Entities vertices, const
   }
 }
 
-/// A mesh of rows of points, closed in either direction or not.
+/// Adds a mesh of rows of points, closed in either direction or not.
 void DrawingReader::addGrid(const Entity& polyline, Entities vertices, const Place& place)
 {
   constexpr int isSmooth = 4;
@@ -337,7 +337,7 @@ void DrawingReader::addPolyline(const Entity& polyline, Entities vertices, const
   addSides(polyline, dxf::withArcs(corners, (flags & 1) != 0), (flags & 1) != 0, false, place);
 }
 
-/// A MESH at its level 0: points, then a list of faces, each behind the number of its corners.
+/// Adds a MESH at its level 0: points, then a list of faces, each behind the number of its corners.
 void DrawingReader::addMesh(const Entity& mesh, const Place& place)
 {
   std::vector<Vec3> points;

@@ -15,7 +15,7 @@ struct Program
 {
   std::string_view ending;
   std::string_view name;
-  std::string_view exports; ///< what keeps names best
+  std::string_view exports; ///< formats that keep names best
 };
 
 constexpr Program programs[] = {
@@ -29,7 +29,7 @@ constexpr Program programs[] = {
     {".max", "3ds Max", "FBX or OBJ"},
     {".c4d", "Cinema 4D", "FBX or OBJ"},
 };
-/// Of surfaces that are curved, without facets.
+/// Formats of curved surfaces without facets.
 constexpr std::string_view solids[] = {".step", ".stp", ".iges", ".igs", ".brep", ".sat"};
 constexpr std::string_view archives[] = {".zip", ".7z", ".rar", ".tar", ".gz", ".kmz", ".ifczip"};
 

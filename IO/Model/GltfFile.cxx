@@ -27,14 +27,14 @@ template <typename T> T valueAt(std::string_view bytes)
   return value;
 }
 
-/// Bytes of a component; 0 for a type there is not.
+/// Returns the bytes of a component; 0 for an unknown type.
 std::size_t sizeOfComponent(std::size_t type)
 {
   constexpr std::array<std::size_t, 7> sizes{1, 1, 2, 2, 0, 4, 4}; // from 5120: bytes, shorts, unsigned, floats
   return type >= 5120 && type < 5120 + sizes.size() ? sizes[type - 5120] : 0;
 }
 
-/// A coordinate of any component type. Normalized whole numbers stand for 0 to 1, or -1 to 1.
+/// Returns a coordinate of any component type. Normalized whole numbers stand for 0 to 1, or -1 to 1.
 double coordinate(std::string_view bytes, std::size_t type, bool normalized)
 {
   const auto whole = [&](auto value) {
@@ -131,7 +131,7 @@ void File::parse(std::string_view json)
   }
 }
 
-/// Throws Error where geometry is hidden in extensions.
+/// Throws Error if geometry is hidden in extensions.
 void File::checkExtensions() const
 {
   for (const char* key : {"extensionsUsed", "extensionsRequired"})
@@ -265,7 +265,7 @@ File::Items File::itemsOf(const Json& accessor, std::size_t count, std::size_t i
   {
     throw Damaged("buffer view " + std::to_string(number) + " is too short for what is stated");
   }
-  // What a file that is cut off still has is good.
+  // Items before the end of a truncated file are good.
   const std::size_t there = viewStart < bytes.size() ? std::min(viewSize, bytes.size() - viewStart) : 0;
   const std::size_t present = std::min(count, holds(there));
   std::string fault;
@@ -322,7 +322,7 @@ Values<double> File::floats(std::size_t number, std::size_t width) const
   const bool normalized = entryOf(accessor, "normalized") == true;
   std::size_t count = index(accessor, "count").value_or(0);
   const bool isSparse = !index(accessor, "bufferView");
-  // No more is asked for than the file can hold, or could with sparse values.
+  // The request is bounded by what the file can hold, or could with sparse values.
   if (size == 0 || type == unsignedType || text(accessor, "type") != "VEC3" || count == 0 ||
       (isSparse && count > whole.size()))
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The JSON and the buffers of a glTF 2.0 file. Nothing in it is trusted: what is asked for and is not there, or lies
-/// beyond the end of a buffer, is said.
+/// The JSON and the buffers of a glTF 2.0 file. Nothing in it is trusted: requested data that is missing, or lies
+/// beyond the end of a buffer, is reported.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,45 +18,45 @@ namespace atria::model::gltf {
 
 using Json = nlohmann::json;
 
-/// A part of the file makes no sense; the rest may.
+/// A part of the file is invalid; the rest may be valid.
 class Damaged : public std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// What an accessor holds.
+/// The content of an accessor.
 template <typename T> struct Values
 {
   std::vector<T> values;
-  std::string fault; ///< why there are fewer than stated; empty where there are not
+  std::string fault; ///< reason for fewer values than stated; empty if there are as many
 };
 
 class File
 {
 public:
-  /// Opens .gltf and .glb files. Throws Error where its JSON is damaged or of another version.
-  /// Texts that are no UTF-8 are taken as Latin-1.
+  /// Opens .gltf and .glb files. Throws Error if the JSON is damaged or of another version. Texts that are no UTF-8 are
+  /// taken as Latin-1.
   explicit File(const std::string& path);
 
   const std::string& path() const { return name; }
   const Json& root() const { return document; }
-  /// The list of that name; an empty one where there is none.
+  /// Returns the list of that name; an empty one if there is none.
   const Json& list(const char* key) const;
-  /// An object of a list; null where it is none.
+  /// Returns an object of a list; null if it is none.
   const Json* entry(const Json& of, std::size_t i) const;
 
-  /// A field that is a number from 0; nothing where it is absent. Throws Damaged where it is something else.
+  /// Returns a field that is a number from 0; nothing if it is absent. Throws Damaged if it is something else.
   std::optional<std::size_t> index(const Json& object, const char* key) const;
-  /// A field that is a list of so many numbers; empty where it is absent. Throws Damaged where it is something else.
+  /// Returns a field that is a list of so many numbers; empty if it is absent. Throws Damaged if it is something else.
   std::vector<double> numbers(const Json& object, const char* key, std::size_t count) const;
-  /// A field that is a text; empty where it is none.
+  /// Returns a field that is a text; empty if it is none.
   std::string text(const Json& object, const char* key) const;
-  /// The name of an entry of a list; empty where there is none.
+  /// Returns the name of an entry of a list; empty if there is none.
   std::string nameOf(const char* list, const std::optional<std::size_t>& i) const;
 
-  /// The values of an accessor of coordinates, `width` for each item. Throws Damaged where there are none.
+  /// Returns the values of an accessor of coordinates, `width` for each item. Throws Damaged if there are none.
   Values<double> floats(std::size_t accessor, std::size_t width) const;
-  /// The values of an accessor of single whole numbers. Throws Damaged where there are none.
+  /// Returns the values of an accessor of single whole numbers. Throws Damaged if there are none.
   Values<std::size_t> indices(std::size_t accessor) const;
 
 private:
@@ -65,8 +65,8 @@ private:
   {
     std::string_view bytes; ///< from the first on
     std::size_t stride = 0;
-    std::size_t count = 0; ///< as many as are there of those asked for, one at least
-    std::string fault;     ///< why there are fewer
+    std::size_t count = 0; ///< number of requested items that exist, at least one
+    std::string fault;     ///< reason for fewer items than requested
   };
 
   void openBinary(std::string_view bytes);
@@ -82,11 +82,11 @@ private:
   std::string name;
   std::string whole; ///< the file
   Json document;
-  std::string_view chunk;                   ///< of a binary file, behind the JSON
+  std::string_view chunk;                   ///< chunk of a binary file, behind the JSON
   std::deque<std::string> decoded;          ///< buffers within the JSON
-  std::map<std::string, std::string> files; ///< those in files, by URI
+  std::map<std::string, std::string> files; ///< buffers in files, by URI
   std::vector<std::string_view> buffers;
-  std::vector<std::string> bufferFaults; ///< why a buffer is shorter than stated
+  std::vector<std::string> bufferFaults; ///< reasons why buffers are shorter than stated
 };
 
 } // namespace atria::model::gltf

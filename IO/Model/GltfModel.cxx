@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// glTF: the nodes of a scene, and the primitives of their meshes. Of our own: VTK 9.1's loader names its blocks by
-/// number, and reads beyond the ends of buffers in a damaged file.
+/// glTF: the nodes of a scene, and the primitives of their meshes. Atria has a reader of its own because VTK 9.1's
+/// loader names its blocks by number, and reads beyond the ends of buffers in a damaged file.
 #include "GltfFile.h"
 #include "JsonText.h"
 #include "ModelFaces.h"
@@ -62,7 +62,7 @@ private:
   struct Visit
   {
     std::size_t node;
-    std::string name; ///< of the nearest node around it that has one
+    std::string name; ///< name of the nearest node around it that has one
     Transform transform;
   };
   /// The points of an accessor, which many primitives may share.
@@ -93,7 +93,7 @@ private:
   std::set<std::size_t> seen;
   std::vector<Part> parts;
   ModelFaces faces;
-  std::map<std::size_t, Points> pointsRead; ///< by accessor
+  std::map<std::size_t, Points> pointsRead; ///< keyed by accessor
   std::size_t valuesRead = 0;               ///< in all of these
   std::size_t notSurfaces = 0;
   std::vector<std::string> complaints;
@@ -136,7 +136,7 @@ void NodeWalk::addPrimitive(const Json& primitive, const Visit& at, const std::s
     ++notSurfaces;
     return;
   }
-  // The material first: where it is damaged, the triangles still have their place.
+  // The material comes first: if it is damaged, the triangles still have their place.
   const std::string material = materialOf(primitive, name);
   addTriangles(primitive, mode, *position, at, name);
   parts.push_back({name.empty() ? material : name, material, at.node});
@@ -155,7 +155,8 @@ std::string NodeWalk::materialOf(const Json& primitive, const std::string& name)
   }
 }
 
-/// Kept for other primitives, so that each accessor is read once, but for more than memory should hold.
+/// Returns an accessor's points. They are kept for other primitives, so that each accessor is read once. All are
+/// dropped when they exceed `mostKept`.
 NodeWalk::Points& NodeWalk::pointsOf(std::size_t accessor)
 {
   constexpr std::size_t mostKept = 30'000'000; // coordinates
@@ -174,7 +175,7 @@ NodeWalk::Points& NodeWalk::pointsOf(std::size_t accessor)
   return pointsRead.emplace(accessor, std::move(points)).first->second;
 }
 
-/// For the part added next. Points that no triangle uses are left out.
+/// Adds triangles for the part added next. Points that no triangle uses are left out.
 void NodeWalk::addTriangles(const Json& primitive, std::size_t mode, std::size_t position, const Visit& at,
                             const std::string& name)
 {
@@ -198,7 +199,7 @@ void NodeWalk::addTriangles(const Json& primitive, std::size_t mode, std::size_t
     ids.resize(points.placeOf.size());
     std::iota(ids.begin(), ids.end(), std::size_t{0});
   }
-  // A number beyond the points of this primitive may be one of another.
+  // An index beyond the points of this primitive may be a point of another.
   const auto placeOf = [&](std::size_t id) {
     if (id >= points.placeOf.size())
     {
@@ -213,7 +214,7 @@ void NodeWalk::addTriangles(const Json& primitive, std::size_t mode, std::size_t
     }
     return place;
   };
-  // glTF asks for triangles to be turned over where they are mirrored.
+  // glTF requires mirrored triangles to be turned over.
   const bool mirrored = at.transform.linear().determinant() < 0.0;
   const int part = static_cast<int>(parts.size());
   forTriangles(mode, ids, [&](std::size_t a, std::size_t b, std::size_t c) {
@@ -280,7 +281,7 @@ void NodeWalk::visit(const Visit& at)
   pushAll(nodesIn(*node, "children"), here);
 }
 
-/// Those of the scene; where there is none, those that are no children.
+/// Returns the root nodes of the scene; without a scene, all nodes that are no children.
 std::vector<std::size_t> NodeWalk::roots()
 {
   const Json& scenes = file.list("scenes");
@@ -319,7 +320,7 @@ std::vector<std::size_t> NodeWalk::roots()
   return out;
 }
 
-/// The numbers of nodes in a list; what is none is left out.
+/// Returns the numbers of nodes in a list; other entries are left out.
 std::vector<std::size_t> NodeWalk::nodesIn(const Json& object, const char* key)
 {
   std::vector<std::size_t> out;
@@ -343,7 +344,7 @@ std::vector<std::size_t> NodeWalk::nodesIn(const Json& object, const char* key)
   return out;
 }
 
-/// Last first, so that the first child is taken from the stack next.
+/// Pushes the last child first, so that the first one is taken from the stack next.
 void NodeWalk::pushAll(const std::vector<std::size_t>& children, const Visit& around)
 {
   for (auto child = children.rbegin(); child != children.rend(); ++child)

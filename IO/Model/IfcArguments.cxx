@@ -13,9 +13,9 @@ using step::insideOf;
 using step::Instance;
 using step::reference;
 
-/// What assimp converts of some entities, one letter an argument: text, enumeration, integer, real, # reference,
-/// anything; ( is a list of what follows. Small letters, + and [ are those that may be left out. Entities have more
-/// arguments at the end, which assimp does not look at.
+/// Arguments that assimp converts for some entities, one letter each: text, enumeration, integer, real, # reference,
+/// anything; ( is a list of the kind that follows. Small letters, + and [ mark optional ones. Entities have more
+/// arguments at the end, which assimp does not read.
 struct Declaration
 {
   std::string_view arguments;
@@ -79,13 +79,13 @@ constexpr Declaration declarations[] = {
     {"AA", "MEASUREWITHUNIT "},
 };
 
-/// Whether assimp, which looks for a point alone, takes a number for an integer.
+/// True if assimp takes a number for an integer: it checks for a point alone.
 bool isInteger(std::string_view value)
 {
   return !value.empty() && value.find_first_of("(.") == value.npos && step::numberIn(value);
 }
 
-/// A type of argument: a capital letter, # or (, and that of members.
+/// A type of argument: a capital letter, # or (, and the type of members.
 struct Type
 {
   char kind = 'A';
@@ -93,7 +93,7 @@ struct Type
   bool isOptional = false;
 };
 
-/// The types that a declaration lists.
+/// Returns the types that a declaration lists.
 std::vector<Type> typesIn(std::string_view text)
 {
   std::vector<Type> out;
@@ -113,7 +113,7 @@ std::vector<Type> typesIn(std::string_view text)
   return out;
 }
 
-/// The types of arguments by entity.
+/// Returns the types of arguments by entity.
 std::unordered_map<std::string, std::vector<Type>> declared()
 {
   std::unordered_map<std::string, std::vector<Type>> out;
@@ -131,7 +131,7 @@ std::unordered_map<std::string, std::vector<Type>> declared()
   return out;
 }
 
-/// Whether a value is of a kind; lists may have any members.
+/// True if a value is of a kind; lists may have any members.
 bool isOf(char kind, std::string_view value)
 {
   switch (kind)
@@ -153,14 +153,14 @@ bool isOf(char kind, std::string_view value)
   }
 }
 
-/// A real that was written as an integer, as such; the value itself where it is something else.
+/// Returns a real that was written as an integer in the form of a real; any other value unchanged.
 std::string asReal(std::string_view value)
 {
   std::string out(value);
   return isInteger(value) ? out.insert(std::min(out.find_first_of("eE"), out.size()), ".") : out;
 }
 
-/// The reals of a list, each as such.
+/// Returns a list with all reals in the form of reals.
 std::string asReals(std::string_view list)
 {
   std::string out;
@@ -171,7 +171,7 @@ std::string asReals(std::string_view list)
   return "(" + out + ")";
 }
 
-/// What stands for a mandatory value that is not there, where an entity makes sense without; else empty.
+/// Returns a substitute for a missing mandatory value if an entity makes sense without it; else empty.
 std::string_view standIn(const std::string& entity, char kind)
 {
   const bool isSpatial =
@@ -187,7 +187,7 @@ std::string_view standIn(const std::string& entity, char kind)
                                                         : "";
 }
 
-/// The value in the form that assimp takes.
+/// Returns the value in the form that assimp takes.
 std::string fitted(const std::string& entity, const Type& type, std::string_view value)
 {
   if (value == "*")
@@ -206,7 +206,7 @@ std::string fitted(const std::string& entity, const Type& type, std::string_view
   return std::string(other.empty() ? value : other);
 }
 
-/// The length of a polyline in numbers of its segments, by which assimp measures where a swept disk ends.
+/// Returns the number of segments of a polyline, in which assimp measures the end of a swept disk.
 std::string endOf(const step::File& content, std::string_view curve)
 {
   const Instance* line = content.find(curve);

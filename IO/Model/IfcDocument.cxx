@@ -23,7 +23,7 @@ using step::setArgument;
 
 constexpr std::size_t shapeOf = 6; // among the arguments of a product
 
-/// Relations that assimp looks at; others, and properties, are of no use and often newer than it.
+/// True for relations that assimp reads. Others, and properties, are of no use and often newer than assimp.
 bool isOfUse(const std::string& type)
 {
   static const std::unordered_set<std::string_view> relations{"IFCRELAGGREGATES", "IFCRELCONTAINEDINSPATIALSTRUCTURE",
@@ -33,7 +33,7 @@ bool isOfUse(const std::string& type)
              : !type.starts_with("IFCPROPERTY") && !type.starts_with("IFCQUANTITY") && type != "IFCELEMENTQUANTITY";
 }
 
-/// Whether something may be missing in the lists of an entity, and the rest still makes sense.
+/// True if the rest of an entity still makes sense when members of its lists are missing.
 bool losesOne(const std::string& type)
 {
   static const std::unordered_set<std::string_view> types{"IFCSHAPEREPRESENTATION",
@@ -91,6 +91,7 @@ Document::Document(std::string_view text) : content(text)
   }
   readUnits();
   writeAs2x3(content);
+  content.setSchema("IFC2X3"); // later versions of assimp take no other
   readLaterProducts();
   findProducts();
   dropOthers();
@@ -100,7 +101,7 @@ Document::Document(std::string_view text) : content(text)
   putUnderOneSite();
 }
 
-/// assimp converts SI units, and takes feet and inches for meters.
+/// Reads the unit. assimp converts SI units, and takes feet and inches for meters.
 void Document::readUnits()
 {
   for (const Instance& instance : content.instances())
@@ -125,7 +126,7 @@ void Document::readUnits()
   }
 }
 
-/// Calls `visit` with what the bodies of an element consist of, also where they are used in several places.
+/// Calls `visit` with the items of an element's bodies, also of those used in several places.
 void Document::visitItems(const Instance& shape, const std::function<void(const Instance&)>& visit) const
 {
   std::vector<const Instance*> open{&shape};
@@ -181,8 +182,8 @@ bool Document::hasSolidsAlone(const Instance& shape) const
   return any && all;
 }
 
-/// Products that 2x3 does not know become proxies, openings where they void something, and storeys where they contain
-/// something. Their first arguments are the same.
+/// Turns products that 2x3 does not know into proxies, into openings if they void an element, or into storeys if they
+/// contain one. Their first arguments are the same.
 void Document::readLaterProducts()
 {
   constexpr std::size_t count = 8;
@@ -257,7 +258,7 @@ void Document::dropOthers()
   }
 }
 
-/// Takes out a reference to what is gone, and `from` with it where it makes no sense without.
+/// Removes a reference to a removed instance, and `from` as well if it makes no sense without the reference.
 void Document::dropReferences(Instance& from, std::uint64_t to, std::vector<std::uint64_t>& removed)
 {
   const std::string kept = from.arguments;
@@ -298,7 +299,7 @@ void Document::dropReferences(Instance& from, std::uint64_t to, std::vector<std:
   }
 }
 
-/// Drops what 2x3 does not know and what is not there, and whatever cannot be without it.
+/// Removes instances that 2x3 does not know, references to missing ones, and all that depends on them.
 void Document::dropUnknown()
 {
   std::vector<std::uint64_t> removed;
@@ -359,7 +360,7 @@ void Document::markLossy()
   }
 }
 
-/// Sites of the project, else buildings; all there are where the project has none.
+/// Returns the sites of the project, else its buildings; all in the file if the project has none.
 std::vector<std::uint64_t> Document::rootsOfAssimp(std::uint64_t project) const
 {
   std::vector<std::uint64_t> all;
@@ -393,7 +394,7 @@ std::vector<std::uint64_t> Document::rootsOfAssimp(std::uint64_t project) const
   return ofProject.empty() ? all : ofProject;
 }
 
-/// Where assimp would miss something, such as a building beside the site, all is put below a site that holds both.
+/// Puts all spatial elements below one new site if assimp would miss any, such as a building beside the site.
 void Document::putUnderOneSite()
 {
   const auto project = std::ranges::find(content.instances(), "IFCPROJECT", &Instance::type);

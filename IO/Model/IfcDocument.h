@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// An IFC file as text, made such that assimp can read it.
+/// An IFC file as text, changed so that assimp can read it.
 ///
-/// assimp knows IFC 2x3 alone, and ends with a crash where an entity that it needs is missing or of a later schema. It
-/// reads what is below sites, or below buildings where there is no site.
+/// assimp knows IFC 2x3 alone. It crashes on entities of a later schema, or if an entity that it needs is missing. It
+/// reads the elements below sites, or below buildings if there is no site.
 #pragma once
 
 #include "StepText.h"
@@ -14,12 +14,12 @@
 
 namespace atria::model::ifc {
 
-/// An element, a part of the site, or whatever else has a place and perhaps a shape.
+/// An element, a part of the site, or anything else with a place and perhaps a shape.
 struct Product
 {
   std::uint64_t id = 0;
   std::string type;       ///< its class in the file, such as IfcWallStandardCase
-  std::string guid;       ///< by which assimp's nodes can be found
+  std::string guid;       ///< global identifier, by which assimp's nodes can be found
   std::string name;       ///< in UTF-8; may be empty
   bool isSolid = false;   ///< all of its shapes are solids, which are closed
   bool isLossy = false;   ///< some of its shapes are of a later schema than 2x3
@@ -32,16 +32,18 @@ public:
   explicit Document(std::string_view text);
 
   const std::string& schema() const { return schemaName; }
-  /// What assimp takes a unit of length for, in meters; other than 1 where the file's unit is one it does not know.
+  /// Returns the length in meters that assimp takes the unit for. Differs from 1 if assimp does not know the file's
+  /// unit.
   double lengthScale() const { return unitScale; }
 
-  /// Those with a shape that stands in the model, in the order of the file: no openings, spaces and annotations.
+  /// Returns the products whose shape stands in the model, in the order of the file; no openings, spaces and
+  /// annotations.
   const std::vector<Product>& products() const { return found; }
-  /// Openings by the element they are cut from.
+  /// Returns openings by the element they are cut from.
   const std::multimap<std::uint64_t, std::uint64_t>& openings() const { return openingsOf; }
 
   step::File& file() { return content; }
-  /// The file without some elements and their openings.
+  /// Returns the file without some elements and their openings.
   std::string textWithout(const std::set<std::uint64_t>& left) const;
 
 private:
@@ -62,7 +64,7 @@ private:
   double unitScale = 1.0;
   std::vector<Product> found;
   std::multimap<std::uint64_t, std::uint64_t> openingsOf;
-  std::map<std::uint64_t, std::string> laterTypes; ///< in capitals, of products that 2x3 does not know
+  std::map<std::uint64_t, std::string> laterTypes; ///< in capitals, for products that 2x3 does not know
   std::set<std::uint64_t> lossyRepresentations;
 };
 

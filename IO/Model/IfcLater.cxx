@@ -18,7 +18,7 @@ using step::Instance;
 using step::reference;
 using step::setArgument;
 
-/// IFC 4 has special cases of elements under other names.
+/// Renames special cases of elements that IFC 4 has under other names.
 void nameAs2x3(step::File& content)
 {
   static const std::unordered_map<std::string_view, const char*> names{
@@ -36,7 +36,7 @@ void nameAs2x3(step::File& content)
   }
 }
 
-/// IFC 4 may have no owners, without which assimp ends.
+/// Adds owners, which IFC 4 may leave out, and without which assimp ends.
 void giveOwners(step::File& content)
 {
   std::string owner;
@@ -51,7 +51,7 @@ void giveOwners(step::File& content)
   }
 }
 
-/// IFC 4 gives items their styles without the assignment that 2x3 has between.
+/// Wraps styles, which IFC 4 gives to items without the assignment that 2x3 has between.
 void wrapStyles(step::File& content)
 {
   for (std::size_t i = 0; i < content.instances().size(); ++i)
@@ -72,7 +72,7 @@ void wrapStyles(step::File& content)
   }
 }
 
-/// Profiles and solids may have no placement, which stands for the origin.
+/// Adds placements to profiles and solids without one, which stands for the origin.
 void givePlacements(step::File& content)
 {
   static const std::unordered_map<std::string_view, std::size_t> places{

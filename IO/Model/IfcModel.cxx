@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// IFC by assimp, with what it takes for assimp to read it, and what is left out said by name.
+/// IFC by assimp: prepares files so that assimp can read them, and names the elements left out.
 #include "AssimpTree.h"
 #include "ClosedShell.h"
 #include "IfcDocument.h"
@@ -26,7 +26,7 @@ using ifc::Document;
 using ifc::Product;
 using Ids = std::set<std::uint64_t>;
 
-/// What assimp made of an element.
+/// The shape that assimp made of an element.
 struct Shape
 {
   bool hasFaces = false;
@@ -34,7 +34,7 @@ struct Shape
   std::size_t group = 0; ///< node of its first mesh that is not closed, else of the first
 };
 
-constexpr std::size_t guidLength = 22; ///< of a global identifier
+constexpr std::size_t guidLength = 22; ///< length of a global identifier
 
 bool isClosed(const Json& mesh)
 {
@@ -56,7 +56,7 @@ bool isClosed(const Json& mesh)
   return shell.isClosed();
 }
 
-/// What assimp calls an element: its class and its name, without blanks.
+/// Returns assimp's name for an element: its class and its name, without blanks.
 std::string nameOf(const Product& product)
 {
   std::string name = product.name.empty() ? "Unnamed" : product.name;
@@ -76,7 +76,7 @@ public:
 
 private:
   Run runWithout(const Ids& left) const;
-  /// All elements but some.
+  /// Returns all elements except some.
   Ids others(const Ids& kept) const;
   Ids findCulprits() const;
   std::vector<const Product*> productsOfGroups(const Json& tree) const;
@@ -111,8 +111,8 @@ Ids IfcReader::others(const Ids& kept) const
   return out;
 }
 
-/// Halves what assimp fails on until single elements are left. Where that takes too many runs what is not known to be
-/// good counts as bad. Empty where assimp fails also without all of them.
+/// Finds the elements that assimp fails on, by halving them until single ones are left. After too many runs, all that
+/// are not known to be good count as bad. Empty if assimp fails also without all elements.
 Ids IfcReader::findCulprits() const
 {
   constexpr int mostRuns = 80;
@@ -149,8 +149,8 @@ Ids IfcReader::findCulprits() const
   return found;
 }
 
-/// The element that each node belongs to, null for those of none. Nodes have its global identifier at the end of their
-/// names, or are below one that has.
+/// Returns the element of each node, null for nodes of none. Nodes have its global identifier at the end of their
+/// names, or are below one that has it.
 std::vector<const Product*> IfcReader::productsOfGroups(const Json& tree) const
 {
   std::unordered_map<std::string, const Product*> byGuid;
@@ -190,7 +190,7 @@ std::map<std::uint64_t, Shape> IfcReader::shapesIn(const Json& tree) const
   return shapes;
 }
 
-/// Gives nodes of elements that assimp takes for proxies the names of their classes.
+/// Names nodes of elements that assimp takes for proxies after their classes.
 void IfcReader::nameLaterProducts(Json& tree) const
 {
   const std::string proxy = "IfcBuildingElementProxy_";
@@ -218,7 +218,8 @@ Ids IfcReader::openSolids(const Json& tree) const
   return out;
 }
 
-/// Extrudes boxes that are cut from elements in whichever direction closes the elements. False where nothing changed.
+/// Extrudes boxes that are cut from elements in whichever direction closes the elements. Returns false if nothing
+/// changed.
 bool IfcReader::turnOpenings(const Ids& elements)
 {
   Ids open = elements;
@@ -239,7 +240,7 @@ bool IfcReader::turnOpenings(const Ids& elements)
     }
     const Run run = turned.empty() ? Run{} : runWithout(others(turned));
     const Ids stillOpen = turned.empty() || run.failed() ? turned : openSolids(run.tree);
-    // Once more, for those alone that it closes.
+    // Repeats the change for those elements alone that it closes.
     document.file() = kept;
     Ids left;
     for (const std::uint64_t element : turned)

@@ -25,7 +25,7 @@ using step::reference;
 
 using Arguments = std::vector<std::string_view>;
 
-/// A box: its middle, three unit vectors, and how long it is along each; it is extruded along the last.
+/// A box: its middle, three unit vectors, and its length along each. It is extruded along the last.
 struct Box
 {
   Vec3 center;
@@ -33,7 +33,8 @@ struct Box
   std::array<double, 3> sizes;
 };
 
-/// The one solid of an opening; null where there are others. An opening may have an axis and the like beside its body.
+/// Returns the one solid of an opening; null if there are others. An opening may have an axis and the like beside its
+/// body.
 const Instance* solidOf(const step::File& file, std::uint64_t opening)
 {
   const Instance* product = file.find(opening);
@@ -56,7 +57,7 @@ const Instance* solidOf(const step::File& file, std::uint64_t opening)
   return solid && solid->type == "IFCEXTRUDEDAREASOLID" ? solid : nullptr;
 }
 
-/// The rectangle as a box without height.
+/// Returns the rectangle as a box without height.
 std::optional<Box> rectangleOf(const step::File& file, const Instance& profile)
 {
   const Arguments arguments = argumentsOf(profile.arguments);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Openings of IFC elements that are boxes, extruded in another direction.
+/// Rewrites openings of IFC elements that are boxes, extruded in another direction.
 ///
 /// assimp cuts an opening right only where it is extruded through the element. A box is the same whichever way it is
 /// extruded.
@@ -18,8 +18,8 @@ enum class BoxSide
   longer,
 };
 
-/// Writes an opening that is one extruded rectangle as the same box extruded along a side of its rectangle. False, and
-/// nothing is changed, where it is something else.
+/// Writes an opening that is one extruded rectangle as the same box extruded along a side of its rectangle. Returns
+/// false, and changes nothing, for any other opening.
 bool extrudeAlong(step::File& file, std::uint64_t opening, BoxSide side);
 
 } // namespace atria::model::ifc

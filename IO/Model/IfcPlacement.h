@@ -11,7 +11,7 @@
 
 namespace atria::model::ifc {
 
-/// Where something is placed, and its axes as unit vectors.
+/// The place of an object, and its axes as unit vectors.
 struct Frame
 {
   Vec3 origin = Vec3::Zero();
@@ -20,16 +20,16 @@ struct Frame
   Vec3 placed(const Vec3& p) const { return origin + p.x() * axes[0] + p.y() * axes[1] + p.z() * axes[2]; }
 };
 
-/// The numbers of a point or direction, with z 0 where it has two; nothing for anything else.
+/// Returns the numbers of a point or direction, with z 0 if it has two; nothing for anything else.
 std::optional<Vec3> coordinatesIn(const step::Instance* instance);
 
-/// The unit vector that an optional reference leads to, `fallback` for `$`; nothing where it is damaged.
+/// Returns the unit vector that an optional reference leads to, `fallback` for `$`; nothing if it is damaged.
 std::optional<Vec3> directionAt(const step::File& file, std::string_view at, const Vec3& fallback);
 
-/// The frame of a placement in a plane or in space, that of the origin for `$`; nothing where it is damaged.
+/// Returns the frame of a placement in a plane or in space, that of the origin for `$`; nothing if it is damaged.
 std::optional<Frame> frameAt(const step::File& file, std::string_view at);
 
-/// A number with all its digits.
+/// Returns a number with all its digits.
 std::string textOf(double value);
 
 } // namespace atria::model::ifc

@@ -22,7 +22,7 @@ using step::reference;
 
 using Outline = std::vector<Vec3>; ///< counterclockwise in the plane of x and y
 
-/// The outer line, and that of the hole in a hollow profile.
+/// The outer line, and the line of the hole in a hollow profile.
 struct Lines
 {
   Outline outer;
@@ -41,10 +41,10 @@ Outline ellipse(double a, double b)
   return out;
 }
 
-/// Around the origin, with half the lengths.
+/// Returns a rectangle around the origin, with half the lengths.
 Outline rectangle(double x, double y) { return {{-x, -y, 0.0}, {x, -y, 0.0}, {x, y, 0.0}, {-x, y, 0.0}}; }
 
-/// Two flanges, `bottom` and `top` wide in half, and a web that is `web` thick in half.
+/// Returns two flanges, `bottom` and `top` wide in half, and a web that is `web` thick in half.
 Outline sectionI(double bottom, double top, double depth, double web, double bottomThick, double topThick)
 {
   const double y = 0.5 * depth;
@@ -55,7 +55,7 @@ Outline sectionI(double bottom, double top, double depth, double web, double bot
           {-top, high, 0.0},  {-web, high, 0.0}, {-web, low, 0.0},   {-bottom, low, 0.0}};
 }
 
-/// A C of sheet metal that opens in x, with lips of the length `girth`.
+/// Returns a C of sheet metal that opens in x, with lips of the length `girth`.
 Outline sectionC(double x, double y, double thick, double girth)
 {
   return {{-x, -y, 0.0},
@@ -72,7 +72,7 @@ Outline sectionC(double x, double y, double thick, double girth)
           {-x, y, 0.0}};
 }
 
-/// Reads the lengths of a profile, all of which are to be positive.
+/// Reads the lengths of a profile, all of which must be positive.
 class Lengths
 {
 public:
@@ -85,7 +85,7 @@ public:
     return value.value_or(0.0);
   }
   double half(std::size_t i) { return 0.5 * at(i); }
-  /// Of any sign.
+  /// Returns a length of any sign.
   std::optional<double> optional(std::size_t i) const { return step::numberIn(argument(profile, i)); }
 
   void require(bool isGood) { areGood = areGood && isGood; }
@@ -192,7 +192,7 @@ Lines hollowRectangle(Lengths& of)
   return {rectangle(x, y), rectangle(x - thick, y - thick)};
 }
 
-/// The lines of a profile before it is placed; nothing for other kinds.
+/// Returns the lines of a profile before it is placed; nothing for other kinds.
 std::optional<Lines> linesOf(const Instance& profile)
 {
   using Make = Lines (*)(Lengths&);
@@ -227,7 +227,7 @@ std::optional<Lines> linesOf(const Instance& profile)
   return lengths.good() ? std::optional(std::move(lines)) : std::nullopt;
 }
 
-/// A closed polyline in the file, by reference.
+/// Adds a closed polyline to the file, and returns its reference.
 std::string polyline(step::File& content, const Outline& outline, const Frame& frame)
 {
   std::string points;

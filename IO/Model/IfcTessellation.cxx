@@ -25,7 +25,7 @@ using step::referenceIn;
 
 using Indices = std::vector<std::size_t>;
 
-/// Indices count from 1 in the file, and from 0 here; empty where one is no number.
+/// Returns indices, which count from 1 in the file, and from 0 here; empty if one is no number.
 Indices indicesIn(std::string_view list)
 {
   Indices out;
@@ -107,7 +107,7 @@ private:
     write(set, argument(set, 1) == ".T.", faces, indicesIn(argument(set, 3)));
   }
 
-  /// In the place of the set. `detour` leads from the indices to those of points, where the file has that.
+  /// Writes a shape in the place of the set. `detour` leads from the indices to those of points, if the file has that.
   void write(const Instance& set, bool isClosed, const std::vector<Rings>& faces, const Indices& detour)
   {
     const std::vector<std::string>& points = pointsOf(argument(set, 0));
@@ -182,7 +182,7 @@ private:
     }
   }
 
-  /// Points on the way from one to another through a third.
+  /// Adds points on the way from one to another through a third.
   void addArc(const std::string& from, const std::string& through, const std::string& to,
               std::vector<std::string>& line)
   {
@@ -225,7 +225,7 @@ private:
     return p;
   }
 
-  /// References to the points of a list, which are added when it is asked for first.
+  /// Returns references to the points of a list, which are added at the first request.
   const std::vector<std::string>& pointsOf(std::string_view list)
   {
     const std::uint64_t id = referenceIn(list).value_or(0);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Shapes of IFC 4 that list their points, as those of IFC 2x3 that have every point by itself.
+/// Rewrites shapes of IFC 4 that list their points as shapes of IFC 2x3, which have every point by itself.
 #pragma once
 
 #include "StepText.h"
 
 namespace atria::model::ifc {
 
-/// Writes triangulated and polygonal face sets as boundary representations, or surface models where they are not
-/// closed, and indexed curves as polylines. Leaves alone what is damaged.
+/// Writes triangulated and polygonal face sets as boundary representations, or as surface models if they are not
+/// closed, and indexed curves as polylines. Leaves damaged shapes unchanged.
 void writeTessellationsAs2x3(step::File& content);
 
 } // namespace atria::model::ifc

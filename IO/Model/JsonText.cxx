@@ -16,7 +16,7 @@ nlohmann::json parseJson(std::string_view text)
   }
   catch (const nlohmann::json::exception& error)
   {
-    // Behind its position nlohmann-json repeats what it read, which may be a whole buffer.
+    // Behind the position, nlohmann-json repeats the text it read, which may be a whole buffer.
     const std::string_view said(error.what());
     const std::size_t begin = said.find("] ") + 2;
     throw Error("its JSON is damaged: " + std::string(said.substr(begin, said.find("; last read") - begin)));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Parses JSON of files that may be damaged.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,14 +8,14 @@
 
 namespace atria::model {
 
-/// JSON, whose texts that are no UTF-8 are taken as Latin-1. Throws Error where it is damaged, with line, column and
-/// what is wrong, but without the file's name.
+/// Parses JSON; texts that are no UTF-8 are taken as Latin-1. Throws Error if it is damaged, with line, column and the
+/// problem, but without the file's name.
 nlohmann::json parseJson(std::string_view text);
 
-/// An entry of an object; null where there is none.
+/// Returns an entry of an object; null if there is none.
 const nlohmann::json& entryOf(const nlohmann::json& object, const char* key);
 
-/// Empty where the value is no text.
+/// Returns a text; empty if the value is none.
 std::string textOf(const nlohmann::json& value);
 
 } // namespace atria::model

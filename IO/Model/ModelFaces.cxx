@@ -14,7 +14,7 @@ namespace atria::model {
 
 namespace {
 
-/// Of the number of points asked for last.
+/// Bits of an index into the points requested last.
 constexpr int recentBits = 11;
 
 } // namespace
@@ -25,7 +25,7 @@ std::uint64_t ModelFaces::hashOf(const std::array<double, 3>& p)
   return mixed(bits(0) * 0x9e3779b97f4a7c15 + bits(1) * 0xc2b2ae3d27d4eb4f + bits(2) * 0x165667b19e3779f9);
 }
 
-/// Room for twice as many points once it is full.
+/// Makes room for twice as many points once the table is full.
 void ModelFaces::reserveTable()
 {
   if (points.size() < room)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Collects the faces of a file that may be damaged: none is let in that names points there are not.
+/// Collects the faces of a file that may be damaged, and rejects those with unknown points.
 #pragma once
 
 #include "ModelParts.h"
@@ -18,17 +18,16 @@ namespace atria::model {
 class ModelFaces
 {
 public:
-  /// A point with a coordinate that is not finite is kept, and faces with it are not.
+  /// Adds a point. One with a coordinate that is not finite is kept, but faces with it are not.
   void addPoint(const std::array<double, 3>& p) { points.push_back(p); }
-  /// The number of the first point at these coordinates of those that were asked for so; it is added where there is
-  /// none. Neighbors in files that repeat points for every face then share them, and all that follows has fewer to go
-  /// through.
+  /// Returns the number of the first point at these coordinates among those added by this function, or adds one.
+  /// Neighbors in files that repeat points for every face then share them, and later steps process fewer points.
   std::size_t pointAt(const std::array<double, 3>& p);
   std::size_t numberOfPoints() const { return points.size(); }
   const std::array<double, 3>& point(std::size_t i) const { return points[i]; }
 
-  /// Leaves out and counts a face with less than three corners, with one beyond the last point or with one that is not
-  /// finite. `part` counts from 0.
+  /// Adds a face. Leaves out and counts one with less than three corners, with one beyond the last point or with one
+  /// that is not finite. `part` counts from 0.
   bool add(std::span<const std::size_t> corners, int part);
 
   /// Multiplies all coordinates.
@@ -36,8 +35,8 @@ public:
 
   std::size_t numberOfFaces() const { return parts.size(); }
 
-  /// Gives a model all of it, in double precision, with names for the parts. Where faces were left out, which it calls
-  /// `kind`, it gets a warning.
+  /// Gives a model all faces, in double precision, with names for the parts. If faces were left out, the model gets a
+  /// warning that calls them `kind`.
   void giveTo(Model& model, const std::vector<std::string>& names, const char* kind) const;
 
 private:
@@ -45,10 +44,10 @@ private:
   void reserveTable();
 
   std::vector<std::array<double, 3>> points;
-  /// Points that pointAt() can find, and as many as there is room for.
+  /// Points that pointAt() can find, and the number there is room for.
   IndexTable places{0};
   std::size_t room = 0;
-  /// Points asked for last: most are asked for again soon, and the table is large.
+  /// Points requested last: most are soon requested again, and the table is large.
   struct Recent
   {
     std::array<double, 3> place;

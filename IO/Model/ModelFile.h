@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The formats. Each function throws Error with a text that names the file and says what to do.
+/// Readers of the formats. Each function throws Error with a text that names the file and a remedy.
 #pragma once
 
 #include "ModelParts.h"

@@ -12,7 +12,7 @@ namespace atria::model {
 
 inline constexpr std::string_view blanks = " \t\v\f";
 
-/// The next word of `text`, which then begins behind it; empty at the end.
+/// Returns the next word of `text`, which then begins behind it; empty at the end.
 inline std::string_view nextWord(std::string_view& text)
 {
   const std::size_t start = text.find_first_not_of(blanks);
@@ -27,15 +27,15 @@ inline std::string_view nextWord(std::string_view& text)
   return word;
 }
 
-/// Without blanks around it.
+/// Returns the text without blanks around it.
 inline std::string_view trimmed(std::string_view text)
 {
   const std::size_t start = text.find_first_not_of(blanks);
   return start == text.npos ? std::string_view() : text.substr(start, text.find_last_not_of(blanks) + 1 - start);
 }
 
-/// The number `word` begins with; false where it is none or is followed by anything but a character of `end`. One too
-/// small for its type is 0, as one that is too large is none.
+/// Reads the number that `word` begins with. Returns false if there is none, or if any character but one of `end`
+/// follows. A number too small for its type is 0; one too large is none.
 template <typename Number> bool parse(std::string_view word, Number& value, std::string_view end = "")
 {
   if (!word.empty() && word.front() == '+')
@@ -57,7 +57,7 @@ template <typename Number> bool parse(std::string_view word, Number& value, std:
   return error == std::errc{} && whole;
 }
 
-/// Takes the next line off `text` at `at`, without its end, which may be LF, CR or both.
+/// Takes the next line off `text` at `at`. Returns it without its end, which may be LF, CR or both.
 inline std::string_view nextLine(std::string_view text, std::size_t& at)
 {
   const std::size_t stop = text.find_first_of("\r\n", at);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Names for a message, of which few are shown.
+/// Collects names for a message and shows a few of them.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ public:
     ++count;
   }
   bool empty() const { return count == 0; }
-  /// "1 element is", "2 elements are".
+  /// Returns "1 element is", "2 elements are".
   std::string counted(const std::string& kind) const
   {
     return std::to_string(count) + " " + kind + (count == 1 ? " is" : "s are");

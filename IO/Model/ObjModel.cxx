@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Wavefront OBJ. Of our own: VTK 9.1's reader keeps no names of objects and groups, has single precision, and does not
-/// check indices.
+/// Wavefront OBJ. Atria has a reader of its own because VTK 9.1's reader keeps no names of objects and groups, has
+/// single precision, and does not check indices.
 #include "ModelFile.h"
 #include "ModelText.h"
 
@@ -56,7 +56,7 @@ public:
     return true;
   }
 
-  /// The number of the line given last, from 1.
+  /// Returns the number of the line returned last, from 1.
   std::size_t where() const { return first; }
 
 private:
@@ -93,7 +93,7 @@ private:
   void statement(string_view line);
   void addPoint(string_view line);
   void addFace(string_view line);
-  /// The vertex a face's word names; -1 where it names none.
+  /// Returns the vertex that a face's word names; -1 if it names none.
   vtkIdType vertexOf(string_view word) const;
   int currentPart();
   void addWarnings(Model& result) const;
@@ -117,7 +117,7 @@ private:
   std::string bytes;
   Lines lines;
   vtkNew<vtkPoints> points;
-  std::vector<vtkIdType> corners; ///< of all faces
+  std::vector<vtkIdType> corners; ///< corners of all faces
   std::vector<std::size_t> offsets{0};
   std::vector<Face> faces;
   std::string object;
@@ -126,7 +126,7 @@ private:
   int part = -1; ///< that of object, group and material; -1 where not looked up
   std::vector<Part> parts;
   std::map<std::tuple<std::string, std::string, std::string>, int> partIds;
-  std::map<std::array<std::string, 3>, std::size_t> owners; ///< by object and group, or else by material
+  std::map<std::array<std::string, 3>, std::size_t> owners; ///< keyed by object and group, or else by material
   std::size_t notSurfaces = 0;
   std::size_t freeForms = 0;
   std::set<vtkIdType> damaged; ///< vertices
@@ -171,7 +171,7 @@ void ObjReader::addPoint(string_view line)
   }
   if (!good)
   {
-    // Kept, so that those that follow keep their numbers.
+    // The vertex is kept, so that those that follow keep their numbers.
     damaged.insert(points->GetNumberOfPoints());
     complain(lines.where(), "expected three numbers behind 'v'; faces with this vertex are left out");
     p = {};
@@ -189,8 +189,8 @@ vtkIdType ObjReader::vertexOf(string_view word) const
   return index < 0 ? points->GetNumberOfPoints() + index : index - 1; // counted from the end, or from 1
 }
 
-/// A name for faces of an object and a group, either of which may be without. Most exporters write one of them, or both
-/// alike.
+/// Returns a name for faces of an object and a group, either of which may be empty. Most exporters write one of them,
+/// or both alike.
 std::string ownerName(const std::string& object, const std::string& group)
 {
   if (group.empty() || group == "default" || group == "off" || object.find(group) != std::string::npos)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// PLY. Of our own: VTK 9.1's reader trusts the counts a file states, and has single precision and short faces only.
+/// PLY. Atria has a reader of its own because VTK 9.1's reader trusts the counts a file states, and has single
+/// precision and short faces only.
 #include "ModelFaces.h"
 #include "ModelFile.h"
 #include "ModelText.h"
@@ -50,7 +51,7 @@ struct Property
 {
   std::string name;
   Type type = Type::float32;
-  std::optional<Type> countType; ///< of a list
+  std::optional<Type> countType; ///< only for a list
 };
 
 struct Element
@@ -59,7 +60,7 @@ struct Element
   std::uint64_t count = 0;
   std::vector<Property> properties;
 
-  /// Its number among the properties; -1 where there is none of that name.
+  /// Returns the index of a property; -1 if there is none of that name.
   int find(string_view wanted) const
   {
     const auto found =
@@ -79,8 +80,8 @@ struct Header
 {
   Encoding encoding = Encoding::ascii;
   std::vector<Element> elements;
-  std::size_t end = 0;   ///< where the data begin
-  std::size_t lines = 0; ///< of the header
+  std::size_t end = 0;   ///< offset of the data
+  std::size_t lines = 0; ///< lines of the header
 };
 
 class HeaderReader
@@ -181,7 +182,7 @@ class Numbers
 public:
   Numbers(string_view all, const Header& header) : text(all), at(header.end), encoding(header.encoding) {}
 
-  /// Goes to the next line of text that is not empty; false at the end.
+  /// Goes to the next line of text that is not empty. Returns false at the end.
   bool beginElement()
   {
     if (encoding != Encoding::ascii)
@@ -196,7 +197,7 @@ public:
     return line.find_first_not_of(blanks) != line.npos;
   }
 
-  /// Nothing where there is no number any more, or what stands there is none.
+  /// Returns the next number; nothing at the end, or if the text is no number.
   std::optional<double> next(Type type)
   {
     if (encoding == Encoding::ascii)
@@ -309,7 +310,7 @@ private:
       }
       if (isVertex)
       {
-        // In place of one that cannot be read, so that those that follow keep their numbers.
+        // This replaces a vertex that cannot be read, so that those that follow keep their numbers.
         const double none = std::numeric_limits<double>::quiet_NaN();
         const auto at = [&](int axis) { return good ? scalars[static_cast<std::size_t>(axes[axis])] : none; };
         faces.addPoint({at(0), at(1), at(2)});
@@ -322,7 +323,7 @@ private:
     return true;
   }
 
-  /// One element, and of the list of that number its values.
+  /// Reads one element, and the values of its list with the index `wanted`.
   bool readOne(const Element& element, int wanted)
   {
     scalars.assign(element.properties.size(), 0.0);
@@ -362,7 +363,7 @@ private:
   std::string complaint; ///< the first
 };
 
-/// Throws Error unless there are vertices with coordinates, and then faces. Says whether coordinates have 32 bits.
+/// Throws Error unless there are vertices with coordinates, and then faces. Returns true if coordinates have 32 bits.
 bool checkElements(const Header& header, const std::string& file)
 {
   const auto find = [&](string_view name) {

@@ -21,14 +21,15 @@ std::string_view stripped(std::string_view text)
   return start == text.npos ? std::string_view() : text.substr(start, text.find_last_not_of(space) + 1 - start);
 }
 
-/// The end of the string that begins at `at`; the end of the text where it is not closed. Two quotes are one character.
+/// Returns the end of the string that begins at `at`; the end of the text if it is not closed. Two quotes are one
+/// character.
 std::size_t endOfString(std::string_view text, std::size_t at)
 {
   const std::size_t end = text.find('\'', at + 1);
   return end == text.npos ? text.size() : end + 1;
 }
 
-/// The end of the comment that begins at `at`; `at` where none does.
+/// Returns the end of the comment that begins at `at`; `at` if none does.
 std::size_t endOfComment(std::string_view text, std::size_t at)
 {
   if (text.substr(at, 2) != "/*")
@@ -39,7 +40,7 @@ std::size_t endOfComment(std::string_view text, std::size_t at)
   return end == text.npos ? text.size() : end + 2;
 }
 
-/// Without comments and line ends.
+/// Returns the text without comments and line ends.
 std::string onOneLine(std::string_view text)
 {
   std::string out;
@@ -67,7 +68,7 @@ std::string onOneLine(std::string_view text)
   return out;
 }
 
-/// The end of the statement that begins at `at`: its semicolon.
+/// Returns the end of the statement that begins at `at`: its semicolon.
 std::size_t endOfStatement(std::string_view text, std::size_t at)
 {
   while (at < text.size() && text[at] != ';')
@@ -82,7 +83,7 @@ std::size_t endOfStatement(std::string_view text, std::size_t at)
 
 File::File(std::string_view text)
 {
-  constexpr std::string_view mark = "\xEF\xBB\xBF"; // of UTF-8
+  constexpr std::string_view mark = "\xEF\xBB\xBF"; // byte order mark of UTF-8
   text.remove_prefix(text.starts_with(mark) ? mark.size() : 0);
   bool isData = false;
   for (std::size_t at = 0; at < text.size();)
@@ -155,6 +156,15 @@ void File::remove(std::uint64_t id)
   {
     instance->type.clear();
     instance->arguments.clear();
+  }
+}
+
+void File::setSchema(const std::string& name)
+{
+  const std::size_t start = header.find("FILE_SCHEMA");
+  if (start != header.npos)
+  {
+    header.replace(start, header.find(";\n", start) - start, "FILE_SCHEMA(('" + name + "'))");
   }
 }
 
@@ -256,7 +266,7 @@ void forReferences(std::string_view text, const std::function<void(std::uint64_t
 
 std::optional<double> numberIn(std::string_view text)
 {
-  // As in IFCLENGTHMEASURE(0.3048).
+  // The value may be in parentheses, such as IFCLENGTHMEASURE(0.3048).
   const std::size_t open = text.find('(');
   const std::string_view plain = open == text.npos || text.empty() || text.back() != ')'
                                      ? text

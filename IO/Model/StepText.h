@@ -13,7 +13,7 @@
 
 namespace atria::model::step {
 
-/// `#12=IFCWALL('…',#2,$);`
+/// An instance, such as `#12=IFCWALL('…',#2,$);`.
 struct Instance
 {
   std::uint64_t id = 0;
@@ -25,23 +25,26 @@ struct Instance
 class File
 {
 public:
-  /// Reads what it can; without a section of data there are no instances.
+  /// Reads as much as possible; without a section of data there are no instances.
   explicit File(std::string_view text);
 
   std::vector<Instance>& instances() { return all; }
   const std::vector<Instance>& instances() const { return all; }
-  /// Null where there is none.
+  /// Returns null if there is none.
   Instance* find(std::uint64_t id);
   const Instance* find(std::uint64_t id) const;
-  /// Null where the text is no reference, or to nothing.
+  /// Returns null if the text is no reference, or one to nothing.
   const Instance* find(std::string_view reference) const;
 
-  /// Adds an instance with a number of its own, and returns that.
+  /// Adds an instance with a number of its own, and returns the number.
   std::uint64_t add(const std::string& type, const std::string& arguments);
   void remove(std::uint64_t id);
   bool isRemoved(const Instance& instance) const { return instance.type.empty(); }
 
-  /// The whole file, one instance a line, without what was removed.
+  /// Changes the schema that the header states, if it states one.
+  void setSchema(const std::string& name);
+
+  /// Returns the whole file, one instance a line, without removed ones.
   std::string text() const;
 
 private:
@@ -53,26 +56,26 @@ private:
   std::uint64_t lastId = 0;
 };
 
-/// The arguments one by one, without blanks around them. Takes a list in parentheses as one.
+/// Returns the arguments one by one, without blanks around them. A list in parentheses is one argument.
 std::vector<std::string_view> argumentsOf(std::string_view text);
-/// What is between the parentheses of a list; empty for what is no list.
+/// Returns the text between the parentheses of a list; empty if it is no list.
 std::string_view insideOf(std::string_view list);
 std::string joinedArguments(const std::vector<std::string_view>& arguments);
 
-/// The argument at a place; empty where there are fewer.
+/// Returns the argument at an index; empty if there are fewer.
 std::string_view argument(const Instance& instance, std::size_t i);
-/// Changes the argument at a place, where there is one.
+/// Changes the argument at an index, if there is one.
 void setArgument(Instance& instance, std::size_t i, const std::string& value);
 
-/// `#12`.
+/// Returns a reference, such as `#12`.
 std::string reference(std::uint64_t id);
-/// The number of a reference `#12`; nothing for other texts.
+/// Returns the number of a reference `#12`; nothing for other texts.
 std::optional<std::uint64_t> referenceIn(std::string_view text);
 /// Calls `visit` with the number of each reference that is not in a string.
 void forReferences(std::string_view text, const std::function<void(std::uint64_t)>& visit);
 
 std::optional<double> numberIn(std::string_view text);
-/// A string without its quotes, in UTF-8; empty for other texts.
+/// Returns a string without its quotes, in UTF-8; empty for other texts.
 std::string stringIn(std::string_view text);
 
 } // namespace atria::model::step

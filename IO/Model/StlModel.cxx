@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// STL. Of our own: VTK 9.1's reader loses the names of solids that are empty, has single precision, and trusts the
-/// count of a binary file.
+/// STL. Atria has a reader of its own because VTK 9.1's reader loses the names of solids that are empty, has single
+/// precision, and trusts the count of a binary file.
 #include "ModelFaces.h"
 #include "ModelFile.h"
 #include "ModelText.h"
@@ -25,7 +25,7 @@ using std::string_view;
 constexpr std::size_t headerSize = 80;
 constexpr std::size_t facetSize = 50;
 
-/// The number of facets a binary file states; a file too short for it has none.
+/// Returns the number of facets that a binary file states; 0 if the file is too short for it.
 std::size_t statedFacets(const std::string& bytes)
 {
   std::uint32_t count = 0;
@@ -36,7 +36,7 @@ std::size_t statedFacets(const std::string& bytes)
   return count;
 }
 
-/// Many binary files begin with the word `solid`, too; a text that is damaged may hold zeros.
+/// True for text. Many binary files begin with the word `solid`, too; a damaged text may hold zeros.
 bool isText(const std::string& bytes)
 {
   const bool fits = bytes.size() == headerSize + sizeof(std::uint32_t) + facetSize * statedFacets(bytes);
@@ -135,7 +135,7 @@ private:
   std::vector<std::array<double, 3>> corners;
 };
 
-/// The facets there are, up to the number stated.
+/// Returns the existing facets, up to the stated number.
 ModelFaces binaryFaces(const std::string& bytes)
 {
   constexpr std::size_t start = headerSize + sizeof(std::uint32_t);
@@ -156,7 +156,7 @@ ModelFaces binaryFaces(const std::string& bytes)
   return faces;
 }
 
-/// Gives names to those without. Equal names stay: they are one surface in several pieces.
+/// Gives names to solids without one. Equal names stay: they are one surface in several pieces.
 void nameTheRest(std::vector<std::string>& names, const std::string& stem)
 {
   int number = 1;

@@ -24,7 +24,7 @@ std::string randomName()
   return std::string("atria-") + digits.data();
 }
 
-/// The file must not exist yet. Null where it cannot be made.
+/// Opens a file that must not exist yet. Returns null if it cannot be made.
 std::FILE* openNew(const fs::path& file) { return std::fopen(file.string().c_str(), "wbx"); }
 
 bool writeAll(std::FILE* file, const fs::path& path, std::string_view bytes)

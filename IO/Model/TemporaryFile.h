@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A file for another program to read, which is gone with its object.
+/// A file for another program to read, deleted with its object.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace atria::model {
 class TemporaryFile
 {
 public:
-  /// Writes `bytes` to a new file whose name ends with `ending`. Throws Error where that fails.
+  /// Writes `bytes` to a new file whose name ends with `ending`. Throws Error on failure.
   TemporaryFile(std::string_view bytes, const std::string& ending);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;

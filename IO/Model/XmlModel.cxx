@@ -80,7 +80,7 @@ vtkSmartPointer<vtkXMLReader> readerFor(const std::string& file)
   return vtkSmartPointer<vtkXMLPartitionedDataSetCollectionReader>::New();
 }
 
-/// Throws Error where the arrays of cells contradict themselves.
+/// Throws Error if the arrays of cells contradict themselves.
 void checkCells(vtkDataObject* object, const std::string& file)
 {
   if (auto* data = vtkPolyData::SafeDownCast(object))
@@ -138,7 +138,7 @@ Model readXml(const std::string& file)
   if (auto* data = vtkPolyData::SafeDownCast(output))
   {
     keepPartsOf(data, model);
-    // A name for polydata without any, as a block of that name.
+    // A block of the file's name gives a name to polydata without any.
     vtkNew<vtkMultiBlockDataSet> block;
     block->SetBlock(0, data);
     block->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), stemOf(file));

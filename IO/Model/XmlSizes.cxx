@@ -22,7 +22,7 @@ namespace {
 using std::string_view;
 using Attributes = std::map<string_view, string_view>;
 
-/// What compressors make of zeros at best; without compression no file holds more than its size.
+/// Best ratio of compressors, reached for zeros. Without compression no file holds more than its size.
 constexpr std::uint64_t bestRatio = 10000;
 
 Attributes attributesIn(string_view tag)
@@ -107,7 +107,7 @@ private:
       block(content.substr(std::min(content.find_first_not_of(" \t\r\n"), content.size())), false);
     }
     const string_view part = valueOf(attributes, "file");
-    // Only files of several name others; one that named itself would be read without end.
+    // Only files that consist of others name files; one that named itself would be read without end.
     if (name == "DataSet" && !part.empty() && lowerEnding(file) != ".vtp")
     {
       const std::filesystem::path beside = std::filesystem::path(file).parent_path() / part;
@@ -118,8 +118,8 @@ private:
     }
   }
 
-  /// The sizes ahead of an array: its bytes; or the number of blocks, bytes of a block and of the last one, and the
-  /// compressed bytes of each.
+  /// Checks the sizes ahead of an array: its bytes; or the number of blocks, bytes of a block and of the last one, and
+  /// the compressed bytes of each.
   void block(string_view source, bool raw) const
   {
     const std::uint64_t room = raw ? source.size() : source.size() / 4 * 3;

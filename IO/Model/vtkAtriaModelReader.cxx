@@ -32,7 +32,7 @@ struct Format
   model::Model (*read)(const std::string& file, const atria::ProgressRange& progress);
 };
 
-/// A reader that is done before anybody could abort it.
+/// A reader that ends before anybody could abort it.
 template <model::Model (*Read)(const std::string&)>
 model::Model quick(const std::string& file, const atria::ProgressRange&)
 {
@@ -65,7 +65,7 @@ const Format* formatOf(const char* fileName)
   return found == std::end(formats) ? nullptr : found;
 }
 
-/// Groups of a scene, which hold all parts where the format has a tree.
+/// Returns the groups of a scene. They hold all parts if the format has a tree.
 std::vector<atria::vrml::Group> groupsOf(const model::Model& model)
 {
   std::vector<atria::vrml::Group> groups;
@@ -77,7 +77,7 @@ std::vector<atria::vrml::Group> groupsOf(const model::Model& model)
   return groups;
 }
 
-/// Surfaces that have triangles, as shapes of a scene.
+/// Returns surfaces that have triangles, as shapes of a scene.
 atria::vrml::Scene sceneOf(const atria::model::Model& model, atria::VtkSurface read)
 {
   atria::vrml::Scene scene;
@@ -129,7 +129,7 @@ atria::vrml::Scene sceneOf(const atria::model::Model& model, atria::VtkSurface r
   return scene;
 }
 
-/// A warning with the names that surfaces have where each shape is one.
+/// Returns a warning with the names that surfaces have when each shape is one.
 std::string textOf(const model::PartsWarning& warning, const atria::vrml::Scene& scene,
                    const atria::vrml::Surfaces& surfaces)
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Reader that loads models of many formats, from OBJ to IFC.
 /**
  * @class   vtkAtriaModelReader
  * @brief   Reads the surfaces of a model in other formats than VRML as named triangles
@@ -22,30 +23,29 @@
  *
  * The strings are UTF-8. An object or node of several materials is as many surfaces, `Wall_Brick` and `Wall_Glass`.
  * Names that repeat by accident are numbered, `Wall`, `Wall_2`; equal names of solids of STL or of blocks are one
- * surface. Names that repeat in formats that have a tree get the name of the outermost node in which they differ ahead
- * of them, such as the storey of IFC or the object of CityJSON. What has no name is called by its material, else like
- * the file. SurfaceBy Group takes together what is one object and group, or one node. The material of CityJSON is the
+ * surface. Repeated names in formats with a tree get the name of the outermost node in which they differ ahead of them,
+ * such as the storey of IFC or the object of CityJSON. A surface without a name is named after its material, else after
+ * the file. SurfaceBy Group puts an object and group, or a node, into one surface. The material of CityJSON is the
  * class.
  *
  * Polygons, concave ones too, quads and triangle strips are triangulated; faces without area are dropped. Lines and
  * points make no surface and are counted in a warning, as is anything else that was left out. Colors are not read.
  *
  * glTF is Y up and in meters by definition, and taken so unless UpAxis and LengthUnit say otherwise. COLLADA, FBX and
- * IFC state their unit and axis, DXF may state its unit: these are taken, and LengthUnit is left out with a warning
- * where it is set as well. 3DS and DXF are Z up. CityJSON is Z up and in meters. Binary STL, glTF and what assimp reads
- * have single precision; a warning says so where that is coarse for the model, as far from the origin.
+ * IFC state their unit and axis, DXF may state its unit: these are taken, and LengthUnit is left out with a warning if
+ * it is set as well. 3DS and DXF are Z up. CityJSON is Z up and in meters. Binary STL, glTF and files read by assimp
+ * have single precision; a warning says so if that is coarse for the model, such as far from the origin.
  *
- * COLLADA, 3DS, FBX and IFC are read by assimp, in the program atria-assimp, which runs for as long as it reads.
- * It crashes on many damaged files: this is an error of the run that names the file. Nothing is left of such files. Of
- * IFC the elements that it fails on are left out. A warning names them, those of later schemas than IFC 2x3, and those
- * that are solids in the file and are not closed as they are read. Solids of CityJSON that are not closed are named,
- * too.
+ * COLLADA, 3DS, FBX and IFC are read by assimp, in the program atria-assimp, which runs for as long as it reads. It
+ * crashes on many damaged files: the run then reports an error that names the file, and the output is empty. Elements
+ * of IFC that it fails on are left out. A warning names them, those of later schemas than IFC 2x3, and those that are
+ * solids in the file but not closed when read. Another warning names solids of CityJSON that are not closed.
  *
- * Of the levels of detail of a city object the highest is read; an object whose children have a higher one is left out.
+ * The highest level of detail of a city object is read. An object whose children have a higher one is left out.
  *
- * Of a damaged OBJ, STL, PLY, glTF or CityJSON file the faces that can be read are read, and a warning says what is
- * wrong with the rest; an error is reported where none can be, and where JSON is damaged: it names line and column.
- * VTK's own formats are read by VTK, which asks for sound files.
+ * A damaged OBJ, STL, PLY, glTF or CityJSON file is read as far as possible, and a warning says what is wrong with the
+ * rest. An error is reported if no face can be read. Damaged JSON is an error, too, that names line and column. VTK's
+ * own formats are read by VTK, which requires intact files.
  *
  * Limits: IFC 4 is read as far as IFC 2x3 has its elements and shapes, and its face sets; solids of DXF (ACIS) are not
  * read; OBJ's free-form surfaces, glTF's skins, animations and compressed meshes, and PLY's strips are not read.
@@ -65,13 +65,13 @@ public:
   vtkTypeMacro(vtkAtriaModelReader, vtkAtriaSurfaceReader);
 
   /**
-   * Whether the file's name has one of the endings above.
+   * True if the file's name has one of the endings above.
    */
   static bool CanReadFile(const char* fileName);
 
   /**
-   * Of a file that cannot be read: the program it is of and what that exports, by the file's ending, such as `.skp`.
-   * Empty where nothing is known of it.
+   * For a file that cannot be read, returns the name of its program and the formats to export, by the file's ending,
+   * such as `.skp`. Empty for an unknown ending.
    */
   static std::string GetExportAdvice(const char* fileName);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Warnings and notes of a reader, collected for the user.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +8,8 @@
 
 namespace atria::vrml {
 
-/// Warnings in the order they came up, and notes of what was done that nobody need worry about. All warnings are
-/// counted; the first `keptAtMost` of either are kept.
+/// Warnings in the order they came up, and notes on actions that need no attention. All warnings are counted; the first
+/// `keptAtMost` of either are kept.
 class Diagnostics
 {
 public:

@@ -19,7 +19,7 @@ std::vector<std::string> namesOf(const Surfaces& surfaces)
   return names;
 }
 
-/// Returns per surface whether a pattern matches it. Warns of patterns that match none.
+/// Returns, for each surface, true if a pattern matches it. Warns of patterns that match none.
 std::vector<char> matching(const Surfaces& surfaces, const std::vector<std::string>& patterns, Diagnostics& diagnostics)
 {
   const std::vector<std::string> names = namesOf(surfaces);

@@ -35,7 +35,7 @@ Box3 boundsOf(const Scene& scene)
   return box;
 }
 
-/// Runs of letters and digits.
+/// Returns runs of letters and digits.
 std::vector<std::string_view> wordsOf(std::string_view text)
 {
   const auto inWord = [](unsigned char c) { return std::isalnum(c) != 0; };
@@ -60,7 +60,7 @@ using WordList = std::initializer_list<std::string_view>;
 
 bool isOneOf(std::string_view word, WordList list) { return std::find(list.begin(), list.end(), word) != list.end(); }
 
-/// The unit a header mentions, such as "units: inches" or "exported in mm".
+/// Returns the unit that a header mentions, such as "units: inches" or "exported in mm".
 std::string mentionedUnit(const std::vector<std::string_view>& words)
 {
   const WordList units{"m",           "meter",      "meters",      "metre", "metres",     "mm",          "millimeter",
@@ -109,7 +109,7 @@ std::string lengths(const Vec3& size, double factor)
          shortNumber(factor * size.z()) + " m";
 }
 
-/// Units in which walls of a size would be those of buildings.
+/// Returns units in which walls of a size would be those of buildings.
 std::string unitsFor(double wall, const Vec3& size)
 {
   constexpr double lowest = 1.5; // meters, of a storey or a parapet
@@ -125,8 +125,8 @@ std::string unitsFor(double wall, const Vec3& size)
   return units.empty() ? "another unit" : units;
 }
 
-/// A house in inches is no taller than a tower; but its walls are as high and as wide as no tower's. Where it is not
-/// known what is up, grounds may be taken for walls.
+/// A house in inches is no taller than a tower, but its walls are as high and as wide as no tower's. Grounds may be
+/// taken for walls if the up axis is unknown.
 bool judgeWalls(const Scene& scene, const Vec3& size, bool axisKnown, const std::string& advice,
                 std::vector<std::string>& hints)
 {
@@ -146,7 +146,7 @@ bool judgeWalls(const Scene& scene, const Vec3& size, bool axisKnown, const std:
 /// The length below which a model has no rooms.
 constexpr double shortest = 0.5;
 
-/// By the file lengths are meters, which its program may have got wrong.
+/// Judges a model whose file states meters; the program that wrote it may be wrong.
 void judgeUnitOfFile(const Scene& scene, const Vec3& size, const Stated& stated, std::vector<std::string>& hints)
 {
   const std::string advice =
@@ -194,8 +194,8 @@ void judgeUnit(const Scene& scene, const std::string& head, const std::vector<st
   }
 }
 
-/// Ground, floors and roofs share one axis, walls have the two others. Where the first is y, and the model is flat
-/// along it, it was drawn y up. Walls are compared with what stands on the ground, which can be of any size.
+/// Ground, floors and roofs share one axis, walls have the two others. If the first is y, and the model is flat along
+/// it, it was drawn y up. Walls are compared with all that stands on the ground, which can be of any size.
 bool looksYUp(const Scene& scene, const Box3& box)
 {
   const Vec3 size = box.size();
@@ -230,7 +230,7 @@ bool looksYUp(const Scene& scene, const Box3& box)
   return area.y() > 0.4 * all && area.x() > least && area.z() > least && area.y() > 1.5 * std::max(area.x(), area.z());
 }
 
-/// Bounds of the faces across an axis that lie at one end of the box.
+/// Returns the bounds of the faces across an axis that lie at one end of the box.
 Box3 endOf(const Scene& scene, const Box3& box, int axis, bool isUpper)
 {
   const double level = isUpper ? box.max[axis] : box.min[axis];
@@ -246,7 +246,7 @@ Box3 endOf(const Scene& scene, const Box3& box, int axis, bool isUpper)
   return end;
 }
 
-/// How much of the box a part of it spans across an axis, in the direction in which it spans less.
+/// Returns the share of the box that a part of it spans across an axis, in the direction in which it spans less.
 double spanAcross(const Box3& part, const Box3& box, int axis)
 {
   double least = part.empty() ? 0.0 : 1.0;
@@ -257,8 +257,9 @@ double spanAcross(const Box3& part, const Box3& box, int axis)
   return least;
 }
 
-/// What stands has a base under all of it, and towers taper off. Where there is such a base at an end along y, and less
-/// at the other one, and the lowest faces along z are under a part only, the model lies on its side.
+/// True if the model lies on its side. Standing models have a base under all of them, and towers taper off. A model
+/// lies if it has such a base at an end along y, and less at the other one, and its lowest faces along z are under a
+/// part only.
 bool liesOnSide(const Scene& scene, const Box3& box)
 {
   constexpr double all = 0.9;
@@ -274,7 +275,7 @@ bool liesOnSide(const Scene& scene, const Box3& box)
   return std::max(low, high) > all && std::min(low, high) < part;
 }
 
-/// id and a number, as SketchUp names what is in its groups.
+/// True for id and a number, SketchUp's names of objects in groups.
 bool isNumbered(const std::string& name)
 {
   const std::string text = lowered(name);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Warns of units and axes that do not fit a model.
 #pragma once
 
 #include "Scene.h"
@@ -9,9 +10,9 @@
 
 namespace atria::vrml {
 
-/// What the user has said about a model, and what its file or format says. Where neither does, the file's words and the
-/// model's shape and size are judged; where only the file does, shape and size, by which it may be wrong; what the user
-/// has said is not judged.
+/// Statements of the user, the file or the format about a model. User statements are not judged. Statements of the file
+/// alone are judged by shape and size, since the file may be wrong. Without any, the file's words and the model's shape
+/// and size are judged.
 struct Stated
 {
   bool unit = false;
@@ -22,14 +23,16 @@ struct Stated
   bool axisByFile = false;
 };
 
-/// What speaks against taking a model as it was taken: units and axes its file mentions (`head`, its first lines), the
-/// program that wrote it, a size no site or building has, ground and roofs that face along y, a base that all stands on
-/// along y but not along z, a place so far off that single precision loses centimeters. `scene` is as placed.
-/// Sentences; nothing is changed by them.
+/// Returns sentences on what contradicts the unit and axis that a model was read with; changes nothing. `scene` is as
+/// placed. Signs are
+/// - units and axes its file mentions (`head`, its first lines), and the program that wrote it;
+/// - a size no site or building has;
+/// - ground and roofs that face along y, or a base that all stands on along y but not along z;
+/// - a place so far off that single precision loses centimeters.
 std::vector<std::string> hintsOf(const Scene& scene, std::string_view head, const Stated& stated);
 
-/// Where shapes have numbers for names, as SketchUp gives them (id1, id2), and groups have words: a sentence that says
-/// how these become the names of surfaces. Empty else.
+/// Returns advice to take the names of groups for surfaces if shapes have numbers for names, as in SketchUp's files
+/// (id1, id2), and groups have words. Empty else.
 std::string hintAtGroupNames(const Scene& scene);
 
 } // namespace atria::vrml

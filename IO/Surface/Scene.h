@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the evaluation of a scene gives: triangles, and the shapes, groups and materials they come from.
+/// The result of evaluating a scene: triangles, and the shapes, groups and materials they come from.
 #pragma once
 
 #include "Support/Types.h"
@@ -11,7 +11,7 @@
 
 namespace atria::vrml {
 
-/// As a shape looks; two with the same values are one.
+/// The look of a shape; two with the same values are one.
 struct Material
 {
   std::string name; ///< DEF name of the material, else of its appearance; UTF-8, empty without
@@ -27,7 +27,7 @@ struct Material
   }
 };
 
-/// A use of a node with a DEF name, or of a file, with what else stands in it.
+/// A use of a node with a DEF name, or of a file, with all nodes inside.
 struct Group
 {
   std::string name;
@@ -35,7 +35,7 @@ struct Group
   std::size_t depth = 0; ///< groups around it
 };
 
-/// A Shape met, or a geometry node of VRML 1.0; one that is used several times is met as often.
+/// A Shape met, or a geometry node of VRML 1.0. One that is used several times is met as often.
 struct Shape
 {
   std::string name;         ///< its own, by DEF; UTF-8, empty without
@@ -49,10 +49,10 @@ struct Scene
   std::vector<std::array<Index, 3>> triangles;
   std::vector<Index> shapeIds; ///< per triangle
   std::vector<Index> faceIds;  ///< per triangle: the polygon it was cut from; ascending
-  std::vector<Shape> shapes;   ///< those with triangles
+  std::vector<Shape> shapes;   ///< shapes with triangles
   std::vector<Group> groups;
   std::vector<Material> materials;
-  /// Nodes met that make no surface, by type.
+  /// Number of nodes met that make no surface, keyed by type.
   std::map<std::string, std::size_t> skipped;
 };
 

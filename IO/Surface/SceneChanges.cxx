@@ -16,13 +16,13 @@ namespace atria::vrml {
 
 namespace {
 
-/// What a surface loses to another one.
+/// Area that a surface loses to another one, square meters.
 struct MergedArea
 {
   Index keeps;
   double area = 0.0;
-  double equalArea = 0.0; ///< where neither is smaller
-  double sameArea = 0.0;  ///< the part of it that faces the same way
+  double equalArea = 0.0; ///< the part of it lost to a surface of the same size
+  double sameArea = 0.0;  ///< the part of equalArea that faces the same way
 };
 
 Vec3 areaOf(const Scene& scene, std::size_t triangle)
@@ -31,7 +31,7 @@ Vec3 areaOf(const Scene& scene, std::size_t triangle)
   return 0.5 * (scene.points[b] - scene.points[a]).cross(scene.points[c] - scene.points[a]);
 }
 
-/// By surface that loses faces to others: to which, the most first.
+/// Returns, for each surface that loses faces, the surfaces it loses them to, largest area first.
 std::map<Index, std::vector<MergedArea>> mergedAreas(const Scene& scene, const CoincidentFaces& found,
                                                      const std::vector<Index>& surfaces)
 {
@@ -72,7 +72,7 @@ std::string squareMeters(double area)
   return text.str();
 }
 
-/// Tells what each surface loses to which.
+/// Notes the area that each surface loses to others.
 void noteMerged(const std::map<Index, std::vector<MergedArea>>& merged, const std::vector<std::string>& names,
                 const std::vector<char>& isLeft, Diagnostics& diagnostics)
 {
@@ -92,8 +92,8 @@ void noteMerged(const std::map<Index, std::vector<MergedArea>>& merged, const st
   }
 }
 
-/// One warning for all surfaces that are equally large and face the same way. Backs of sheets face the other way, and
-/// so do solids that touch.
+/// Gives one warning for all surfaces that are equally large and face the same way. Backs of sheets face the other way,
+/// and so do solids that touch.
 void warnOfEqual(const std::map<Index, std::vector<MergedArea>>& merged, const std::vector<std::string>& names,
                  Diagnostics& diagnostics)
 {
@@ -166,7 +166,7 @@ std::size_t mergeDuplicateFaces(Scene& scene, SurfaceBy by, Diagnostics& diagnos
   scene.faceIds.resize(next);
   if (!merged.empty())
   {
-    // Surfaces that are gone are not among those that number the names of the others.
+    // Names are numbered without the surfaces that are gone.
     std::vector<std::string> names;
     std::ranges::transform(surfaces.surfaces, std::back_inserter(names), &Surface::name);
     const Surfaces left = makeSurfaces(scene, by, 0.0);

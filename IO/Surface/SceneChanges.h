@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What is done to a scene after it was read.
+/// Changes a scene after it was read: merges duplicate faces, turns, scales and moves it.
 #pragma once
 
 #include "Diagnostics.h"
@@ -8,15 +8,15 @@
 
 namespace atria::vrml {
 
-/// Takes out faces that coincide with others, within a surface or of another one, whichever way they face: the smaller
-/// surface keeps its faces (see FacePrecedence). Notes how many, and which surfaces lose how much to which; warns of
-/// surfaces that are equally large and face the same way. Surfaces go by `by`, or by shape where that needs the merged
-/// faces. Returns the number of faces that were taken out.
+/// Removes faces that coincide with others, within a surface or of another one, whichever way they face. The smaller
+/// surface keeps its faces (see FacePrecedence). Notes how many, and which surfaces lose how much to which. Warns of
+/// surfaces that are equally large and face the same way. Surfaces go by `by`, or by shape if that needs the merged
+/// faces. Returns the number of removed faces.
 std::size_t mergeDuplicateFaces(Scene& scene, SurfaceBy by, Diagnostics& diagnostics);
 
 struct Placement
 {
-  int upAxis = 2;        ///< of the file: 1 y, 2 z; the scene is turned about x so that z is up
+  int upAxis = 2;        ///< up axis of the file: 1 y, 2 z; the scene is turned about x so that z is up
   double scale = 1.0;    ///< from the file's unit to meters
   bool recenter = false; ///< move models that are far from the origin there
 };

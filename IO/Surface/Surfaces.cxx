@@ -14,15 +14,15 @@ namespace atria::vrml {
 
 namespace {
 
-/// A name asked for, and the group above from which it gets distinguished.
+/// A requested name, and the group above that distinguishes it from equal ones.
 struct Wanted
 {
   std::string leaf;
   Index group = noIndex;
 };
 
-/// From the outside to the inside; left empty in files nested deeper than anybody names things, where it would take
-/// the square of the time.
+/// Returns the groups from the outside to the inside. Empty in files nested deeper than anybody names things, where it
+/// would take quadratic time.
 std::vector<Index> pathOf(const Scene& scene, Index group)
 {
   constexpr std::size_t deepest = 256;
@@ -39,7 +39,7 @@ std::vector<Index> pathOf(const Scene& scene, Index group)
   return path;
 }
 
-/// For each text the first that is the same.
+/// Returns, for each text, the first that is the same.
 template <class TextOf> std::vector<Index> firstsOf(std::size_t count, const TextOf& textOf)
 {
   IndexTable table(count);
@@ -53,7 +53,8 @@ template <class TextOf> std::vector<Index> firstsOf(std::size_t count, const Tex
   return firsts;
 }
 
-/// What the groups ahead of some names have as their first difference, from the outside; empty where there is none.
+/// Returns the first difference, from the outside, between the groups ahead of some names. Empty for a name without
+/// one.
 std::vector<std::string> differences(const Scene& scene, const std::vector<Wanted>& wanted,
                                      const std::vector<std::size_t>& members)
 {
@@ -84,7 +85,7 @@ std::vector<std::string> differences(const Scene& scene, const std::vector<Wante
   return out;
 }
 
-/// The names that repeat get their first difference from the others ahead of them. Says whether there were any.
+/// Puts the first difference ahead of names that repeat. Returns true if there were any.
 bool qualify(const Scene& scene, const std::vector<Wanted>& wanted, std::vector<std::string>& names)
 {
   const std::vector<Index> firsts =
@@ -115,13 +116,13 @@ bool qualify(const Scene& scene, const std::vector<Wanted>& wanted, std::vector<
   return !repeated.empty();
 }
 
-/// `Name`, then `Name_2`, `Name_3`, …, passing over names that something else has.
+/// Numbers equal names: `Name`, then `Name_2`, `Name_3`, …, without numbers that other names already have.
 void number(std::vector<std::string>& names)
 {
   const std::vector<Index> firsts =
       firstsOf(names.size(), [&](std::size_t i) -> const std::string& { return names[i]; });
   std::vector<Index> repeats;
-  std::unordered_set<std::string_view> given; // of names that stay
+  std::unordered_set<std::string_view> given; // names that stay
   for (std::size_t i = 0; i < names.size(); ++i)
   {
     if (firsts[i] != i)
@@ -156,7 +157,7 @@ std::string colorName(const Material& material)
   return material.transparency > 0.0 ? std::string(text) + "_Transparent" : text;
 }
 
-/// The innermost named group; what is in none has a group of its own.
+/// Returns the innermost named group. Shapes in none have a group of their own.
 Wanted groupName(const Scene& scene, Index group)
 {
   return group == noIndex ? Wanted{"Ungrouped", noIndex} : Wanted{scene.groups[group].name, scene.groups[group].parent};
@@ -186,7 +187,7 @@ Wanted materialName(const Scene& scene, Index material)
   return {look.name.empty() ? colorName(look) : look.name, noIndex};
 }
 
-/// What the triangles of one surface have in common, as a number.
+/// Returns a number for each triangle, equal within a surface.
 std::vector<Index> keysOf(const Scene& scene, SurfaceBy by, double splitAngle)
 {
   if (by == SurfaceBy::connected)

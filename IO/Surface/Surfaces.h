@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Divides a scene into named surfaces, and excludes some of them.
 #pragma once
 
 #include "Diagnostics.h"
@@ -8,7 +9,7 @@
 
 namespace atria::vrml {
 
-/// What makes a surface.
+/// The rule that divides a scene into surfaces.
 enum class SurfaceBy
 {
   shape,
@@ -20,7 +21,7 @@ enum class SurfaceBy
 struct Surface
 {
   std::string name;
-  Material material; ///< of its first shape that has one
+  Material material; ///< material of its first shape that has one
 };
 
 struct Surfaces
@@ -38,8 +39,8 @@ struct Surfaces
 /// SurfaceBy::connected parts them.
 ATRIAIOSURFACE_EXPORT Surfaces makeSurfaces(const Scene& scene, SurfaceBy by, double splitAngle);
 
-/// Takes out the surfaces whose names match one of the patterns, with their points, and notes which. Warns of a pattern
-/// that matches none. Throws Error where nothing is left.
+/// Removes the surfaces whose names match one of the patterns, with their points, and notes which. Warns of a pattern
+/// that matches none. Throws Error if nothing is left.
 void excludeSurfaces(Scene& scene, Surfaces& surfaces, const std::vector<std::string>& patterns,
                      Diagnostics& diagnostics);
 

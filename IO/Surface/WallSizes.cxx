@@ -40,7 +40,7 @@ Walls wallsOf(const Scene& scene, int upAxis)
   return walls;
 }
 
-/// The lesser of its height and its width.
+/// Returns the lesser of a piece's height and width.
 double sizeOf(const Box3& piece, int upAxis)
 {
   Vec3 size = piece.size();

@@ -77,7 +77,7 @@ vtkNew<vtkCellArray> toCells(const std::vector<std::array<atria::Index, 3>>& tri
   return cells;
 }
 
-/// Names and looks of the surfaces.
+/// Adds names and looks of the surfaces.
 void addSurfaces(vtkFieldData* data, const std::vector<atria::vrml::Surface>& surfaces)
 {
   using atria::vrml::Surface;
@@ -92,7 +92,7 @@ void addSurfaces(vtkFieldData* data, const std::vector<atria::vrml::Surface>& su
                                     [](const Surface& s) { return s.material.transparency; });
 }
 
-/// Behind the names of groups a surface's name begins as that of ground, or its material is that of ground.
+/// True if a surface's name, behind those of groups, begins like that of ground, or if its material is that of ground.
 bool isGround(const atria::vrml::Surface& surface, const atria::vrml::ModelSource& source)
 {
   const std::string name = surface.name.substr(surface.name.rfind('/') + 1);
@@ -102,7 +102,7 @@ bool isGround(const atria::vrml::Surface& surface, const atria::vrml::ModelSourc
          std::find(materials.begin(), materials.end(), surface.material.name) != materials.end();
 }
 
-/// Adds the array IsGround where there is ground.
+/// Adds the array IsGround if there is ground.
 void addGround(vtkFieldData* data, const std::vector<atria::vrml::Surface>& surfaces,
                const atria::vrml::ModelSource& source)
 {
@@ -116,7 +116,7 @@ void addGround(vtkFieldData* data, const std::vector<atria::vrml::Surface>& surf
   }
 }
 
-/// What has been copied goes at once.
+/// Frees each array as soon as it is copied.
 void fill(vtkPolyData* output, atria::vrml::Scene scene, const atria::vrml::Surfaces& surfaces)
 {
   output->SetPoints(atria::pointsToVtk(scene.points));
@@ -128,11 +128,11 @@ void fill(vtkPolyData* output, atria::vrml::Scene scene, const atria::vrml::Surf
   ids->SetNumberOfValues(static_cast<vtkIdType>(surfaces.ids.size()));
   atria::useLargePages(ids->GetPointer(0), surfaces.ids.size() * sizeof(int));
   std::copy(surfaces.ids.begin(), surfaces.ids.end(), ids->GetPointer(0));
-  output->GetCellData()->SetScalars(ids); // what programs color by unless told otherwise
+  output->GetCellData()->SetScalars(ids); // programs color by scalars by default
   addSurfaces(output->GetFieldData(), surfaces.surfaces);
 }
 
-/// What a file without surfaces holds instead.
+/// Returns the content of a file without surfaces, for a message.
 std::string describe(vtkStringArray* skipped, bool isWarnedOf)
 {
   std::string text;
@@ -181,7 +181,7 @@ void vtkAtriaSurfaceReader::RemoveAllExcludedSurfaces()
   this->Modified();
 }
 
-/// Keeps the messages of a run, and shows warnings: grave ones first, which put the whole model in doubt.
+/// Keeps the messages of a run, and shows warnings: first the grave ones, which put the whole model in doubt.
 void vtkAtriaSurfaceReader::Report(const atria::vrml::Diagnostics& diagnostics, const std::vector<std::string>& grave)
 {
   const std::size_t count = diagnostics.count() + grave.size();
@@ -246,7 +246,7 @@ void vtkAtriaSurfaceReader::CheckProperties()
   atriaCheckRange(Scale);
 }
 
-/// False where the file has no surfaces. `grave` gets the warnings that put the whole model in doubt.
+/// Returns false if the file has no surfaces. `grave` gets the warnings that put the whole model in doubt.
 bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnostics& diagnostics,
                                       std::vector<std::string>& grave)
 {
@@ -310,7 +310,7 @@ bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnost
 
 namespace {
 
-/// Whatever the format is, and before anything is warned of.
+/// Throws Error for an empty file, of any format, and before any warning.
 void checkNotEmpty(const std::string& file)
 {
   std::error_code error;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Reader that all readers of models derive from.
 /**
  * @class   vtkAtriaSurfaceReader
- * @brief   What the readers of models have in common: units, axes, duplicates, what makes a surface
+ * @brief   Common base of the readers of models: units, axes, duplicates, and division into surfaces
  *
- * Formats do not say, or not reliably, which unit a program used and which axis is up: that is for the user to say.
- * Where it is not said, z is up and lengths are meters, and what speaks against it is a warning.
+ * Formats do not say, or not reliably, which unit a program used and which axis is up: the user has to state both. By
+ * default z is up and lengths are meters; a warning reports any sign of the contrary.
  *
  * Output:
  * - triangles with points in double precision;
@@ -14,8 +15,8 @@
  *   0.8 and 0 where the file gives none;
  * - field data `ModelOffset` (vtkDoubleArray, three components): what Recenter subtracted from all points, meters.
  *
- * What was skipped or had to be guessed is reported in one VTK warning, and in full by GetWarnings. An error, with
- * empty output, is reported for a file that cannot be read or that holds no surface at all.
+ * Skipped content and guesses are reported in one VTK warning, and in full by GetWarnings. An error, with empty output,
+ * is reported for a file that cannot be read or that holds no surface at all.
  *
  * @sa vtkAtriaVRMLReader vtkAtriaModelReader
  */
@@ -65,7 +66,7 @@ public:
 
   ///@{
   /**
-   * What makes a surface. Default Shape.
+   * The rule that divides a model into surfaces. Default Shape.
    */
   vtkAtriaSetInRangeMacro(SurfaceBy, int, Shape, Connected);
   vtkGetMacro(SurfaceBy, int);
@@ -85,10 +86,10 @@ public:
 
   ///@{
   /**
-   * Whether of faces that coincide, of the same surface or of several, only one stays, whichever way they face. The
-   * smaller surface keeps its faces: a window keeps those that an uncut wall has there too. Of equal ones the first
-   * keeps them; in SketchUp's exports that is the front of a sheet. GetNotes tells which surface lost how much to
-   * which. Default on.
+   * Keep only one of faces that coincide, in one surface or in several, whichever way they face. The smaller surface
+   * keeps its faces: a window keeps those that an uncut wall has there too. The first of equally large surfaces keeps
+   * them; in SketchUp's exports that is the front of a sheet. GetNotes reports which surface lost how much to which.
+   * Default on.
    */
   vtkSetMacro(MergeDuplicateFaces, bool);
   vtkGetMacro(MergeDuplicateFaces, bool);
@@ -148,8 +149,8 @@ public:
 
   ///@{
   /**
-   * Whether a model that lies farther from the origin than it is long is moved there, by whole hundreds of meters along
-   * each axis. The field array `ModelOffset` tells what was subtracted. Default off.
+   * Move a model that lies farther from the origin than it is long to the origin, by whole hundreds of meters along
+   * each axis. The field array `ModelOffset` has the offset that was subtracted. Default off.
    */
   vtkSetMacro(Recenter, bool);
   vtkGetMacro(Recenter, bool);
@@ -174,22 +175,22 @@ public:
   vtkStringArray* GetWarnings();
 
   /**
-   * How many warnings the last run had.
+   * Number of warnings of the last run.
    */
   vtkIdType GetNumberOfWarnings() const { return this->NumberOfWarnings; }
 
   /**
-   * What the last run did that may be of interest, such as merging faces; one string each. Never null.
+   * Actions of the last run that may be of interest, such as merging faces; one string each. Never null.
    */
   vtkStringArray* GetNotes();
 
   /**
-   * How many faces the last run left out as they coincide with others.
+   * Number of faces that the last run left out because they coincide with others.
    */
   vtkIdType GetNumberOfMergedFaces() const { return this->NumberOfMergedFaces; }
 
   /**
-   * What the last run met that makes no surface, such as "IndexedLineSet: 12". Never null.
+   * Content of the file that makes no surface, such as "IndexedLineSet: 12". Never null.
    */
   vtkStringArray* GetSkippedNodes();
 
@@ -202,17 +203,17 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /**
-   * Throws atria::Error naming a property that is outside of its range.
+   * Throws atria::Error naming a property that is out of range.
    */
   virtual void CheckProperties();
 
   /**
-   * What a length in the file is in meters, Scale included.
+   * Returns the length of the file's unit in meters, Scale included.
    */
   double MetersPerUnit() const;
 
   /**
-   * Reads FileName as the file has it. Throws atria::Error with a text for the user, or atria::Aborted.
+   * Reads FileName without changes. Throws atria::Error with a text for the user, or atria::Aborted.
    */
   virtual atria::vrml::ModelSource ReadSource(atria::vrml::Diagnostics& diagnostics,
                                               const atria::ProgressRange& progress) = 0;

@@ -52,7 +52,7 @@ Scene Evaluator::run(const Document& document)
   return scene.take();
 }
 
-/// Takes what is to be done next off the stack, or off the list on top of it.
+/// Takes the next task off the stack, or off the list on top of it.
 Evaluator::Visit Evaluator::next()
 {
   Visit& top = open.back();
@@ -94,7 +94,7 @@ void Evaluator::perform(const Visit& at)
   }
 }
 
-/// False for nodes to leave out: none, damaged ones, and ones that contain themselves.
+/// Returns false for nodes to leave out: none, damaged ones, and ones that contain themselves.
 bool Evaluator::enter(const Visit& at)
 {
   const Node* node = at.ref.node;
@@ -150,7 +150,7 @@ void Evaluator::visit(const Visit& at)
   }
 }
 
-/// The group that holds what is inside of a node.
+/// Returns the group of the nodes inside a node.
 Index Evaluator::groupOf(const Visit& at)
 {
   const std::string_view name = at.ref.node->name;
@@ -165,7 +165,7 @@ void Evaluator::visitInstance(const Visit& at)
   const NodeRefs children = body ? NodeRefs{} : instances.nodes(at.ref, "children");
   if (!children.empty())
   {
-    // Of an EXTERNPROTO whose file is missing, most likely.
+    // The node is most likely from an EXTERNPROTO whose file is missing.
     warn(*at.ref.node, "has no prototype, but its children are read as those of a Transform");
     inner.transform = inner.transform * transformOf(at.ref, "scale");
     return pushChildren(inner, children);
@@ -236,7 +236,7 @@ void Evaluator::visitInline(const Visit& at, const char* field)
   openDocument(*document, at.transform, scene.group(name, at.group));
 }
 
-/// Visits a file's nodes. Those of VRML 1.0 begin with a state of their own.
+/// Visits a file's nodes. A file of VRML 1.0 begins with a state of its own.
 void Evaluator::openDocument(const Document& document, const Transform& transform, Index group)
 {
   const Visit root{{document.root, nullptr}, transform, group};
@@ -258,7 +258,7 @@ void Evaluator::pushChildren(const Visit& at, const NodeRefs& children)
   }
 }
 
-/// T C R SR S -SR -C, whatever the order of the fields.
+/// Returns T C R SR S -SR -C, whatever the order of the fields.
 Evaluator::Transform Evaluator::transformOf(const NodeRef& ref, std::string_view scaleField) const
 {
   const Vec3 center = instances.vector(ref, "center", Vec3::Zero());
@@ -307,7 +307,7 @@ Index Evaluator::materialOf(const NodeRef& ref)
   return node || !name.empty() ? materialOf(node, name) : noIndex;
 }
 
-/// Of a Material, if there is one, of either language.
+/// Returns the material of a Material node of either language, or the default one without a node.
 Index Evaluator::materialOf(const NodeRef& node, std::string_view name)
 {
   Material material;
@@ -320,7 +320,7 @@ Index Evaluator::materialOf(const NodeRef& node, std::string_view name)
   return scene.material(material);
 }
 
-/// Tells how much the transform stretches what comes next, where it matters.
+/// Sets the factor by which the transform stretches the next surface, for round solids.
 void Evaluator::setStretch(const NodeRef& geometry, const Transform& transform)
 {
   stretch = 1.0;
@@ -332,7 +332,7 @@ void Evaluator::setStretch(const NodeRef& geometry, const Transform& transform)
   geometries.setStretch(stretch);
 }
 
-/// Geometry without context is the same wherever it is used, but for its facets.
+/// Returns the surface of a geometry. Geometry without context is the same wherever it is used, except for its facets.
 const LocalSurface& Evaluator::localSurface(const NodeRef& geometry, const Transform& transform)
 {
   setStretch(geometry, transform);
@@ -350,7 +350,7 @@ const LocalSurface& Evaluator::localSurface(const NodeRef& geometry, const Trans
   return found != cache.end() ? found->second : cache.emplace(key, make()).first->second;
 }
 
-/// Puts round solids in the place of the coarse ones.
+/// Replaces the coarse solids by round ones.
 void Evaluator::makeRoundSolids()
 {
   if (roundSolids.empty())

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Evaluates a VRML scene graph into triangles, shapes, groups and materials.
 #pragma once
 
 #include "Geometry.h"
@@ -15,36 +16,36 @@
 
 namespace atria::vrml {
 
-/// Walks through a scene and collects its shapes, one for each Shape met, or for each geometry node of VRML 1.0. Files
+/// Walks through a scene and collects its shapes: one for each Shape met, or for each geometry node of VRML 1.0. Files
 /// of both languages may contain each other. Does not recurse.
 class Evaluator
 {
 public:
   Evaluator(Library& files, Diagnostics& messages, const ProgressRange& monitor, const Tessellation& tessellation);
 
-  /// Throws Error where nodes multiply without end, Aborted where the caller stops it.
+  /// Returns the scene. Throws Error if nodes multiply without end, Aborted if the caller stops it.
   Scene run(const Document& document);
 
 private:
   using Transform = Eigen::Affine3d;
-  /// What to do with a node on the stack.
+  /// The action for a node on the stack.
   enum class Task
   {
     visit,
-    visitEach,        ///< of a list, one after the other
+    visitEach,        ///< visits the nodes of a list, one after the other
     leave,            ///< the end of a visit: the node is no longer on the path
-    restoreState,     ///< of VRML 1.0: the end of a Separator
-    restoreTransform, ///< of VRML 1.0: the end of a TransformSeparator
+    restoreState,     ///< the end of a Separator of VRML 1.0
+    restoreTransform, ///< the end of a TransformSeparator of VRML 1.0
   };
   struct Visit
   {
     NodeRef ref;
-    Transform transform; ///< of VRML97; to restore after a TransformSeparator
+    Transform transform; ///< used for VRML97; to restore after a TransformSeparator
     Index group;         ///< the innermost one around
     Task task = Task::visit;
-    NodeRefs list{}; ///< to visit each of
+    NodeRefs list{}; ///< nodes for visitEach
   };
-  /// What VRML 1.0's nodes leave to those that follow them.
+  /// State that nodes of VRML 1.0 set for the nodes that follow.
   struct State
   {
     Transform transform;
@@ -88,7 +89,7 @@ private:
   std::vector<Visit> open;
   std::vector<State> states;
   std::set<std::pair<const Node*, const Context*>> path; ///< shared nodes and files being visited, against cycles
-  /// Geometry used more than once, by its stretch where that matters.
+  /// Geometry used more than once, keyed by node and, for round solids, stretch.
   std::map<std::pair<const Node*, double>, LocalSurface> cache;
   double stretch = 1.0;
   /// A round solid as it was met. Its facets are made when the size of the whole model is known.
@@ -99,7 +100,7 @@ private:
     Index shape;
   };
   std::vector<RoundSolid> roundSolids;
-  std::vector<SceneBuilder::Addition> coarseSolids; ///< what stands in for them
+  std::vector<SceneBuilder::Addition> coarseSolids; ///< placeholders of the round solids
   bool isCoarse = true;
   LocalSurface current;
   SceneBuilder scene;

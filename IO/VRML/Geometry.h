@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Turns VRML's geometry nodes into triangles.
 #pragma once
 
 #include "Diagnostics.h"
@@ -12,39 +13,40 @@
 
 namespace atria::vrml {
 
-/// Turns geometry nodes into triangles.
+/// Makes the triangles of geometry nodes, and warns of invalid fields.
 class Geometry
 {
 public:
-  /// `tessellation`: of round primitives, its error in the units of the scene.
+  /// `tessellation` is for round primitives; its error is in the units of the scene.
   Geometry(Instances& access, Diagnostics& messages, const Tessellation& tessellation);
 
-  /// How much longer than in its own coordinates a length of what is made next can get in the scene.
+  /// Sets the factor by which lengths of the next surface can grow from its own coordinates to the scene.
   void setStretch(double factor) { stretch = factor; }
-  /// What the surface made next goes by in messages, where its node has no name.
+  /// Sets the name for the next surface in messages, used if its node has none.
   void setName(std::string_view shown) { name = shown; }
-  /// Whether a node is a round solid, whose facets depend on the stretch and on the size of the model.
+  /// True if a node is a round solid, whose facets depend on the stretch and on the size of the model.
   static bool isRound(const NodeRef& node);
-  /// Facets of solids with smaller radii, in the scene's units, are to be off by no less than those of one with this.
+  /// Sets a radius in the scene's units. Smaller solids get facets that are as far off as those of a solid with this
+  /// radius.
   void setSmall(double radius) { wanted.negligible = sagittaOf(wanted.angle, radius); }
-  /// The round solid with as few facets as there can be.
+  /// Returns the round solid with as few facets as it may get.
   LocalSurface makeCoarse(const NodeRef& node);
 
-  /// The triangles of a node of kind `surface`; none, with a warning, where its fields make no sense.
+  /// Returns the triangles of a node of kind `surface`; none, with a warning, if its fields make no sense.
   LocalSurface make(const NodeRef& node);
-  /// A surface nobody needs any longer, whose memory the next may have.
+  /// Gives back a surface that is no longer needed; the next one may use its memory.
   void recycle(LocalSurface&& surface) { memory.surface = std::move(surface); }
 
-  /// What holds for geometry nodes of VRML 1.0 where they stand.
+  /// State of VRML 1.0 for a geometry node.
   struct State
   {
     const Numbers* points = nullptr;
     bool clockwise = false;
   };
-  /// The same for VRML 1.0.
+  /// Returns the same for VRML 1.0.
   LocalSurface make(const NodeRef& node, const State& state);
 
-  /// What faces of one node after the other are made in.
+  /// Buffers for faces, used by one node after the other.
   struct Memory
   {
     LocalSurface surface;
@@ -62,7 +64,7 @@ private:
   LocalSurface faceSet(const NodeRef& node);
   LocalSurface faces(const NodeRef& node, const Numbers& points, const Integers& index, bool turned);
   LocalSurface cube(const NodeRef& node);
-  /// By a flag of VRML97, or among the `parts` of VRML 1.0.
+  /// True if a flag of VRML97 is set, or if the `parts` of VRML 1.0 include the part.
   bool hasPart(const NodeRef& node, std::string_view flag, std::string_view part) const;
   void warn(const NodeRef& node, const std::string& text);
   bool positive(const NodeRef& node, std::initializer_list<double> sizes);

@@ -79,7 +79,7 @@ FileText unpack(std::string_view packed)
 
 bool startsWith(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
 
-/// `folder / name`, or the entry that differs from it in case only.
+/// Returns `folder / name`, or the entry that differs from it in case only.
 std::optional<fs::path> findEntry(const fs::path& folder, const fs::path& name)
 {
   std::error_code error;
@@ -113,7 +113,7 @@ std::optional<fs::path> findPath(const fs::path& folder, const fs::path& relativ
   return fs::is_regular_file(at, error) ? std::optional(at) : std::nullopt;
 }
 
-/// The path within a URL.
+/// Returns the path within a URL.
 std::string pathOf(std::string_view url)
 {
   for (const std::string_view scheme : {"file://localhost", "file://", "file:"})
@@ -129,7 +129,7 @@ std::string pathOf(std::string_view url)
   return vtksys::SystemTools::DecodeURL(path);
 }
 
-/// Empty for network addresses, and for what can be no path.
+/// Returns a local path; empty for network addresses, and for texts that can be no path.
 std::string localPathOf(std::string_view url)
 {
   const std::size_t colon = url.find(':');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Values of fields, seen through prototypes.
+/// Reads values of fields, seen through prototypes.
 #pragma once
 
 #include "Library.h"
@@ -39,13 +39,13 @@ struct NodeRefs
   const Context* context = nullptr;
 
   bool empty() const { return nodes.empty(); }
-  /// One of them alone; none where it does not exist.
+  /// Returns one of them; none if it does not exist.
   NodeRefs only(int i) const
   {
     const bool exists = i >= 0 && static_cast<std::size_t>(i) < nodes.size();
     return {exists ? nodes.subspan(static_cast<std::size_t>(i), 1) : std::span<Node* const>{}, context};
   }
-  /// Takes the first one off.
+  /// Removes the first node and returns it.
   NodeRef takeFirst()
   {
     const NodeRef first{nodes.front(), context};
@@ -59,14 +59,14 @@ class Instances
 public:
   Instances(Library& files, Diagnostics& messages) : library(files), diagnostics(messages) {}
 
-  /// One step into a prototype's body: its first node. Nothing, and a warning, where there is none.
+  /// Steps into a prototype's body and returns its first node. Returns nothing, and warns, if there is none.
   NodeRef enter(const NodeRef& instance);
 
-  /// The node itself, or what instances of prototypes stand for in the end. `name` receives the first DEF
-  /// name met.
+  /// Returns the node itself, or the node that instances of prototypes stand for in the end. `name` receives the first
+  /// DEF name met.
   NodeRef expand(NodeRef ref, std::string_view* name = nullptr);
 
-  /// A field's value of the wanted type; null where it is not given, or of another type.
+  /// Returns a field's value of the requested type; null if it is not given, or of another type.
   template <class T> const T* get(const NodeRef& ref, std::string_view field) const
   {
     return std::get_if<T>(find(ref, field).first);
@@ -77,7 +77,7 @@ public:
   std::vector<double> numbers(const NodeRef& ref, std::string_view field, std::vector<double> otherwise) const;
   Vec3 vector(const NodeRef& ref, std::string_view field, const Vec3& otherwise) const;
   NodeRefs nodes(const NodeRef& ref, std::string_view field) const;
-  /// The single node of an SFNode; empty for NULL.
+  /// Returns the single node of an SFNode; empty for NULL.
   NodeRef node(const NodeRef& ref, std::string_view field) const;
 
 private:

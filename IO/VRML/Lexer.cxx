@@ -16,7 +16,13 @@ namespace atria::vrml {
 
 namespace {
 
-/// White space and these.
+/// Returns a text of no characters that says where it is.
+std::string_view nothingAt(const char* place)
+{
+  return {place, 0}; // NOLINT(bugprone-string-constructor)
+}
+
+/// Returns a table of white space and these characters.
 constexpr std::array<bool, 256> blanksAnd(std::string_view others)
 {
   std::array<bool, 256> table{};
@@ -34,14 +40,14 @@ constexpr std::array<bool, 256> delimiters = blanksAnd(",{}[]\"#\x7f");
 constexpr std::array<bool, 256> skipped = blanksAnd(",#\x7f");
 
 bool isDelimiter(char c) { return delimiters[static_cast<unsigned char>(c)]; }
-/// White space, commas and what begins a comment.
+/// True for white space, commas and the start of a comment.
 bool isSkipped(char c) { return skipped[static_cast<unsigned char>(c)]; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// Past white space, eight characters at a time as far as they go: much of a file is indentation.
+/// Returns the end of white space, eight characters at a time as far as possible: much of a file is indentation.
 const char* spacesEnd(const char* from, const char* end)
 {
-  // In each byte the highest bit is set where the character is above a space: no sum carries into the next byte.
+  // The highest bit of each byte is set if the character is above a space: no sum carries into the next byte.
   constexpr std::uint64_t high = 0x8080808080808080u;
   constexpr std::uint64_t upToHigh = 0x5f5f5f5f5f5f5f5fu; // 0x80 less 0x21
   while (static_cast<std::size_t>(end - from) >= sizeof(std::uint64_t))
@@ -63,8 +69,8 @@ const char* spacesEnd(const char* from, const char* end)
   return from;
 }
 
-/// Programs built with old versions of Microsoft's compiler write 1.#QNAN, -1.#IND00, 1.#INF: here `#` begins no
-/// comment.
+/// True if `#` begins no comment: programs built with old versions of Microsoft's compiler write 1.#QNAN, -1.#IND00,
+/// 1.#INF.
 bool isNoComment(const char* hash, const char* end)
 {
   const std::string_view behind(hash, std::min<std::size_t>(5, static_cast<std::size_t>(end - hash)));
@@ -72,7 +78,7 @@ bool isNoComment(const char* hash, const char* end)
          (behind.substr(0, 4) == "#IND" || behind.substr(0, 4) == "#INF" || behind == "#QNAN" || behind == "#SNAN");
 }
 
-/// Of a word that is not empty.
+/// Returns the end of a word that is not empty.
 const char* wordEnd(const char* from, const char* end)
 {
   const char* const start = from;
@@ -90,7 +96,7 @@ bool startsNumber(std::string_view word)
   return i < word.size() && isDigit(word[i]);
 }
 
-/// Why from_chars calls a number out of range: too small counts as zero.
+/// True if from_chars calls a number out of range because it is too small; it counts as zero then.
 bool underflows(std::string_view text)
 {
   const std::size_t e = text.find_first_of("eE");
@@ -100,7 +106,7 @@ bool underflows(std::string_view text)
 }
 
 /// Reads digits, perhaps with a point among them, that are few enough for one division to give the nearest number.
-/// Returns where they end; null where the text is anything else.
+/// Returns their end; null for any other text.
 const char* readPlain(const char* from, const char* end, double& value)
 {
   constexpr std::uint64_t exact = std::uint64_t{1} << 53;
@@ -130,7 +136,7 @@ const char* readPlain(const char* from, const char* end, double& value)
     ++at;
     decimals = readDigits();
   }
-  // At `.#` a number may follow that is none.
+  // `.#` may begin a word for an invalid number, such as 1.#QNAN.
   if (at - start > mostDigits || digits >= exact || (at != end && (!isDelimiter(*at) || *at == '#')))
   {
     return nullptr;
@@ -140,8 +146,7 @@ const char* readPlain(const char* from, const char* end, double& value)
   return at;
 }
 
-/// Reads a whole number of so few digits that it is one, as most indices are. Returns where it ends; null where the
-/// text is anything else.
+/// Reads a whole number of so few digits that it fits, as most indices do. Returns its end; null for any other text.
 const char* readPlain(const char* from, const char* end, int& value)
 {
   constexpr std::ptrdiff_t mostDigits = 9;
@@ -162,7 +167,7 @@ const char* readPlain(const char* from, const char* end, int& value)
   return at;
 }
 
-/// In pieces whose counts fit into bytes, of which vector instructions add sixteen or more at once.
+/// Counts a character, in pieces whose counts fit into bytes, of which vector instructions add sixteen or more at once.
 int countOf(char wanted, const char* first, const char* last)
 {
   constexpr std::ptrdiff_t mostInByte = 255;
@@ -269,7 +274,7 @@ Token Lexer::readString()
   }
   if (at == end)
   {
-    // The closing quote is missing: rather lose the rest of a line than the rest of the file.
+    // The closing quote is missing: it is better to lose the rest of a line than the rest of the file.
     at = start;
     while (at != end && *at != '\n' && *at != '\r')
     {
@@ -297,7 +302,7 @@ Token Lexer::read()
 {
   if (at == end)
   {
-    return {TokenKind::end, {end, 0}};
+    return {TokenKind::end, nothingAt(end)};
   }
   const auto single = [&](TokenKind kind) { return Token{kind, {at++, 1}}; };
   switch (*at)
@@ -341,7 +346,7 @@ std::size_t Lexer::lengthOfList()
 bool Lexer::nextNumber(double& value)
 {
   skipBlanks();
-  // What most numbers are, without looking for their ends first.
+  // Most numbers are plain; they are read without searching for their ends first.
   if (const char* stop = readPlain(at, end, value))
   {
     moveTo(stop);
@@ -435,7 +440,7 @@ bool Lexer::nextInteger(int& value)
 Place Lexer::place()
 {
   skipBlanks();
-  return placeOf({at, 0});
+  return placeOf(nothingAt(at));
 }
 
 int Lexer::lineOf(std::string_view token)
@@ -446,8 +451,8 @@ int Lexer::lineOf(std::string_view token)
   return countedLine;
 }
 
-/// Of the characters from `first` to before `last`. Written so that compilers make vector instructions of it: in files
-/// of many nodes all of the text comes through here.
+/// Counts the line ends from `first` to before `last`. Written so that compilers make vector instructions of it: all of
+/// the text of files with many nodes comes through here.
 int Lexer::countLineEnds(const char* first, const char* last) const
 {
   if (first == last || !std::memchr(first, '\r', static_cast<std::size_t>(last - first)))
@@ -467,7 +472,7 @@ int Lexer::countLineEnds(const char* first, const char* last) const
 Place Lexer::placeOf(std::string_view token)
 {
   const char* target = token.data();
-  // Not further back than to the place asked for last, as all of a file may be one line.
+  // Goes back no further than to the place requested last, as all of a file may be one line.
   const bool further = lineStartOf <= target;
   const char* known = further ? lineStartOf : earliest;
   const char* start = target;
@@ -482,7 +487,7 @@ Place Lexer::placeOf(std::string_view token)
 
 void Lexer::forget()
 {
-  placeOf({at, 0});
+  placeOf(nothingAt(at));
   earliest = at;
   earliestLineStart = lineStart;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Characters to tokens. The lexical rules are those of VRML 1.0 and VRML97 alike, but for names, which are
-/// taken more generously: exporters write dots, slashes and leading digits.
+/// Splits text into tokens. The lexical rules are those of VRML 1.0 and VRML97 alike, except for names, which are read
+/// more generously: exporters write dots, slashes and leading digits.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ enum class TokenKind
   end,
   word,   ///< a name or keyword
   number, ///< a word that starts like a number, not checked further
-  string, ///< `text` is what stands between the quotes, escapes untouched
+  string, ///< `text` is the part between the quotes, escapes untouched
   openBrace,
   closeBrace,
   openBracket,
@@ -40,8 +40,8 @@ struct Place
   int column = 1;
 };
 
-/// Reads tokens off a text that must outlive it. White space, commas and comments separate tokens; a line
-/// ends with LF, CR or both.
+/// Reads tokens off a text that must outlive it. White space, commas and comments separate tokens; a line ends with LF,
+/// CR or both.
 class Lexer
 {
 public:
@@ -64,7 +64,7 @@ public:
     }
     return tokens[0];
   }
-  /// The token after the next one.
+  /// Returns the token after the next one.
   const Token& peekSecond()
   {
     peek();
@@ -74,7 +74,7 @@ public:
     }
     return tokens[1];
   }
-  /// Makes two tokens of the next one, the first of so many characters.
+  /// Splits the next token in two, the first of so many characters.
   void cutNext(std::size_t characters)
   {
     peek();
@@ -82,24 +82,25 @@ public:
     ends[0] = tokens[0].text.data() + characters;
     looked = 1;
   }
-  /// Reads a name after DEF, USE and the like, where something that looks like a number is a name too.
+  /// Reads a name after DEF, USE and the like, where a word that looks like a number is a name too.
   std::optional<std::string_view> nextName();
-  /// Characters up to the next closing bracket, zero without one: how much a list may hold.
+  /// Returns the number of characters up to the next closing bracket, zero without one: a bound for the length of a
+  /// list.
   std::size_t lengthOfList();
-  /// Reads a finite number, or leaves the text where it is and says false.
+  /// Reads a finite number and returns true, or leaves the text and returns false.
   bool nextNumber(double& value);
-  /// Reads what stands for a number that is none, such as nan, -inf, 1.#QNAN, or is too large, as not a number. Else
-  /// leaves the text where it is and says false.
+  /// Reads a word such as nan, -inf, 1.#QNAN, or a number that is too large, as not a number. Returns false, and leaves
+  /// the text, for any other.
   bool nextNoNumber(double& value);
   /// Reads a whole number in the range of int, also in hexadecimal or written like 3.0.
   bool nextInteger(int& value);
 
-  /// Where the next token starts.
+  /// Returns the place of the start of the next token.
   Place place();
   Place placeOf(std::string_view token);
-  /// The line alone: cheap also where a whole file is one line.
+  /// Returns the line alone, which is cheap also if a whole file is one line.
   int lineOf(std::string_view token);
-  /// Nothing before the next token is asked for again. What is needed to tell places after it is kept.
+  /// Declares that text before the next token is not needed any more. Keeps the data for places after it.
   void forget();
   std::size_t position() const { return static_cast<std::size_t>(at - begin); }
 
@@ -121,23 +122,23 @@ private:
   const char* begin;
   const char* end;
   const char* at;
-  // Tokens read ahead, as most are looked at before they are taken, and where they end.
+  // Tokens read ahead, since most are inspected before they are taken, and their ends.
   std::array<Token, 2> tokens;
   std::array<const char*, 2> ends{};
   std::size_t looked = 0;
-  // Lines are counted only when somebody asks, from where they were counted last.
+  // Lines are counted only on request, from the last counted place.
   const char* counted;
   int countedLine = 1;
-  const char* lineStart;   ///< of the line that holds
+  const char* lineStart;   ///< start of the line that contains
   const char* lineStartOf; ///< this
   // The same for the place before which the text is forgotten.
   const char* earliestLineStart;
   const char* earliest;
 };
 
-/// The value of a number's text; nothing where it is none, or too large.
+/// Returns the value of a number's text; nothing if it is none, or too large.
 std::optional<double> toNumber(std::string_view text);
-/// The text of a string token with its escapes resolved.
+/// Returns the text of a string token with its escapes resolved.
 std::string unescaped(std::string_view text);
 
 } // namespace atria::vrml

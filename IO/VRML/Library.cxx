@@ -21,8 +21,8 @@ void checkLanguage(const fs::path& file, std::string_view text)
   }
 }
 
-/// What the nodes say where the header is missing or wrong: VRML 1.0 has some that VRML97 has not, and the other way
-/// round, and no file goes far without one of them.
+/// Returns the version by the nodes if the header is missing or wrong. VRML 1.0 has nodes that VRML97 does not have,
+/// and the other way around, and few characters of a file go by without one of them.
 Version versionOfNodes(std::string_view text)
 {
   constexpr std::size_t farEnough = 1 << 16;
@@ -31,7 +31,7 @@ Version versionOfNodes(std::string_view text)
   {
     if (token.is("PROTO") || token.is("EXTERNPROTO") || token.is("fields"))
     {
-      break; // whose names may be any
+      break; // names after it may be any
     }
     if (token.kind != TokenKind::word || lexer.peek().kind != TokenKind::openBrace)
     {
@@ -55,7 +55,7 @@ Version versionOfNodes(std::string_view text)
   return Version::missing;
 }
 
-/// The language to read a file as, with a warning where its header does not say so.
+/// Returns the language to read a file as. Warns if its header does not state it.
 Version chooseVersion(Diagnostics& diagnostics, const Document& document, std::string_view text)
 {
   const std::string place = document.displayName() + ":1: ";

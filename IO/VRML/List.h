@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// A compact list in memory that is freed all at once.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 
 namespace atria::vrml {
 
-/// A list in memory that goes all at once. Files have millions of them, most with one or two items: it is half as large
-/// as a vector, and copying it is copying a reference.
+/// A list of trivially copyable items. Files have millions of them, most with one or two items. It is half as large as
+/// a vector, and a copy refers to the same items.
 template <class T> class List
 {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -44,7 +45,7 @@ public:
     std::construct_at(first + count, item);
     ++count;
   }
-  /// Leaves the first items.
+  /// Keeps the first items only.
   void truncate(std::size_t items) { count = static_cast<std::uint32_t>(items); }
 
   T* begin() { return first; }

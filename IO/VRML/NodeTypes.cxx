@@ -20,7 +20,7 @@ std::vector<NodeType> groups()
       {"Collision", NodeKind::group, {{"children", mfNode}}, {"bboxCenter", "bboxSize", "collide", "proxy"}},
       {"Group", NodeKind::group, {{"children", mfNode}}, {"bboxCenter", "bboxSize"}},
       {"Inline", NodeKind::group, {{"url", mfString}}, {"bboxCenter", "bboxSize", "load"}},            // load is of X3D
-      {"InlineLoadControl", NodeKind::group, {{"url", mfString}}, {"bboxCenter", "bboxSize", "load"}}, // of amendment 1
+      {"InlineLoadControl", NodeKind::group, {{"url", mfString}}, {"bboxCenter", "bboxSize", "load"}}, // amendment 1
       {"LOD", NodeKind::group, {{"level", mfNode}, {"children", mfNode}}, {"center", "range"}},
       {"Switch", NodeKind::group, {{"choice", mfNode}, {"children", mfNode}, {"whichChoice", sfInt32}}, {}},
       {"Transform",
@@ -103,7 +103,7 @@ std::vector<NodeType> states1()
       {"Material", NodeKind::state, {{"diffuseColor", mfVec3f}, {"transparency", mfFloat}}, {}, true},
       {"MatrixTransform", NodeKind::state, {{"matrix", sfMatrix}}, {}},
       {"Rotation", NodeKind::state, {{"rotation", sfRotation}}, {}},
-      {"RotationXYZ", NodeKind::state, {{"axis", sfWord}, {"angle", sfFloat}}, {}}, // of Inventor
+      {"RotationXYZ", NodeKind::state, {{"axis", sfWord}, {"angle", sfFloat}}, {}}, // from Inventor
       {"Scale", NodeKind::state, {{"scaleFactor", sfVec3f}}, {}},
       {"ShapeHints", NodeKind::state, {{"vertexOrdering", sfWord}}, {"shapeType", "faceType", "creaseAngle"}},
       {"Transform",
@@ -138,7 +138,7 @@ std::vector<NodeType> shapes1()
 using Table = std::unordered_map<std::string_view, NodeType>;
 using Names = std::initializer_list<std::string_view>;
 
-/// Of types, and of those whose fields are not looked at.
+/// Returns a table of types, and of names of nodes whose fields are not read.
 Table tableOf(std::initializer_list<std::vector<NodeType>> parts, Names properties, Names others)
 {
   Table types;

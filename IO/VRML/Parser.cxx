@@ -75,7 +75,7 @@ void Parser::stepList()
   lexer.next();
 }
 
-/// At a closing bracket or brace among nodes.
+/// Handles a closing bracket or brace among nodes.
 void Parser::closeList()
 {
   const Open what = frames.back().what;
@@ -181,7 +181,7 @@ void Parser::readNode(Slot slot)
   openNode(slot, names);
 }
 
-/// DEF and its name, which some exporters write twice.
+/// Reads DEF and its name, which some exporters write twice.
 void Parser::readNames(std::vector<std::string_view>& names)
 {
   while (lexer.peek().is("DEF"))
@@ -246,8 +246,8 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
   frames.push_back({Open::node, {}, &node, nullptr, node.line});
 }
 
-/// Nodes of others tell in VRML 1.0 which known type they may be taken for: `fields [ … ] isA [ "Separator" ]`, ahead
-/// of everything else.
+/// Returns the known type that an unknown node of VRML 1.0 declares: `fields [ … ] isA [ "Separator" ]`, ahead of
+/// everything else.
 const NodeType* Parser::declaredBase()
 {
   const Lexer start = lexer;
@@ -308,7 +308,7 @@ void Parser::put(Slot slot, Node* node)
   }
 }
 
-/// A node where a field should be: children without the word, or a part whose place its type tells.
+/// Reads a node in the place of a field: children without the word, or a part whose field follows from its type.
 void Parser::readNodeWithoutField()
 {
   Node& node = *frames.back().node;
@@ -338,7 +338,7 @@ void Parser::readField()
   Node& node = *frames.back().node;
   if (isVersion1())
   {
-    // `parts(SIDES | TOP)`, though names may hold parentheses.
+    // The text may be `parts(SIDES | TOP)`, though names may hold parentheses.
     const std::string_view text = lexer.peek().text;
     const std::size_t parenthesis = text.find('(');
     if (parenthesis != text.npos && parenthesis > 0 && fieldType(node, text.substr(0, parenthesis)))
@@ -387,7 +387,7 @@ void Parser::readField()
   readValue(node, slot.field, *type, false);
 }
 
-/// `field SFNode name value` in a Script and in node types of others.
+/// Reads `field SFNode name value` in a Script and in unknown node types.
 void Parser::readDeclaration()
 {
   const Token keyword = lexer.next();
@@ -411,7 +411,7 @@ Parser::Slot Parser::slotOf(Node& node, std::string_view field)
   const auto index = static_cast<std::size_t>(found - node.fields.begin());
   if (found == node.fields.end())
   {
-    constexpr std::size_t usual = 2; // more than one there is only one of would be room for nothing
+    constexpr std::size_t usual = 2; // room for a second field is wasted if the type has one only
     const std::size_t first = node.type && node.type->fields.size() == 1 ? 1 : usual;
     node.fields.reserve(first, document.memory);
     node.fields.push_back({field, {}}, document.memory);
@@ -438,7 +438,7 @@ std::optional<FieldType> Parser::fieldType(const Node& node, std::string_view fi
   return node.type->fieldType(field);
 }
 
-/// The name of a field, in a copy that stays: that of the type, as files have millions of them.
+/// Returns the name of a field in a copy that stays: that of the type, as files have millions of them.
 std::string_view Parser::fieldName(const Node& node, std::string_view field)
 {
   if (node.type)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Parses VRML text into a scene graph.
 #pragma once
 
 #include "Diagnostics.h"
@@ -14,21 +15,21 @@
 
 namespace atria::vrml {
 
-/// Reads a text in VRML97, or in VRML 1.0 where the document says so, into `document`. Does not recurse: open brackets
-/// and braces are kept on a stack of its own, so that models nested many thousand levels deep are read.
+/// Reads a text in VRML97, or in VRML 1.0 if the document says so, into `document`. Does not recurse: open brackets and
+/// braces are kept on a stack of its own, so that models nested many thousand levels deep are read.
 ///
-/// A syntax error is a warning that says where and what was expected. The node it is in is marked damaged,
-/// and reading goes on with the next field. Common slips are understood: nodes without the word `children`, a
-/// doubled DEF, closing brackets that are missing or too many.
+/// A syntax error is a warning that gives the place and what was expected. The node it is in is marked damaged, and
+/// reading goes on with the next field. Common slips are understood: nodes without the word `children`, a doubled DEF,
+/// closing brackets that are missing or too many.
 class Parser
 {
 public:
   Parser(Document& target, FileText file, Diagnostics& messages, const ProgressRange& monitor);
-  /// Throws Aborted only.
+  /// Reads the whole text. Throws Aborted only.
   void run();
 
 private:
-  /// Where a node goes when it has been read: a field of a node, or nowhere.
+  /// The place for a node that has been read: a field of a node, or none.
   struct Slot
   {
     Node* node = nullptr;
@@ -45,17 +46,17 @@ private:
   struct Frame
   {
     Open what;
-    Slot slot;                      ///< of file, list and body
-    Node* node = nullptr;           ///< of node
-    Prototype* prototype = nullptr; ///< of interface and body
+    Slot slot;                      ///< for file, list and body
+    Node* node = nullptr;           ///< for node
+    Prototype* prototype = nullptr; ///< for interface and body
     int line = 0;
   };
-  /// Nodes by DEF name, sorted in when the first of them is asked for: most files define far more than they use.
+  /// Nodes by DEF name, sorted when the first of them is requested: most files define far more than they use.
   class Names
   {
   public:
     void add(std::string_view name, Node& node) { recent.emplace_back(name, &node); }
-    /// The one defined last; null without.
+    /// Returns the node defined last; null if there is none.
     Node* find(std::string_view name);
 
   private:
@@ -68,7 +69,7 @@ private:
     std::unordered_map<std::string_view, const Prototype*> prototypes;
   };
 
-  // Steps, one for each kind of open construct. They always read something or close a frame.
+  // Steps, one for each kind of open construct. Each step reads something or closes a frame.
   void step();
   void stepList();
   void stepNode();
@@ -127,7 +128,7 @@ private:
   std::optional<FieldType> fieldType(const Node& node, std::string_view field) const;
   std::string_view fieldName(const Node& node, std::string_view field);
   const Prototype* findPrototype(std::string_view name) const;
-  /// Declarations of fields and events, in the words of VRML97 or of X3D.
+  /// True for declarations of fields and events, in the words of VRML97 or of X3D.
   static bool isField(const Token& token)
   {
     return token.is("field") || token.is("exposedField") || token.is("initializeOnly") || token.is("inputOutput");
@@ -138,14 +139,14 @@ private:
   }
 
   Document& document;
-  FileText source; ///< of which ever less is left
+  FileText source; ///< its memory is freed as it is read
   Lexer lexer;
   std::size_t length;
   Diagnostics& diagnostics;
   ProgressRange progress;
   std::size_t reported = 0;
   std::size_t forgotten = 0;
-  bool quiet = false; ///< after an error, until a node was recognized: one slip is one warning
+  bool quiet = false; ///< set after an error, until a node was recognized: one slip is one warning
   std::vector<Frame> frames;
   std::vector<Scope> scopes;
   // Lists being read.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The parser's reading of what is no node: ROUTE, PROTO and EXTERNPROTO, and the statements of X3D.
+/// The parser's part for statements that are no nodes: ROUTE, PROTO and EXTERNPROTO, and the statements of X3D.
 #include "NodeTypes.h"
 #include "Parser.h"
 
@@ -7,7 +7,7 @@ namespace atria::vrml {
 
 namespace {
 
-/// The node of the standard that a URL such as urn:web3d:vrml97:node:Transform means; null for other URLs.
+/// Returns the node of the standard that a URL such as urn:web3d:vrml97:node:Transform means; null for other URLs.
 const NodeType* standardNode(std::string_view url)
 {
   constexpr std::string_view marker = ":node:";
@@ -19,7 +19,7 @@ const NodeType* standardNode(std::string_view url)
 
 } // namespace
 
-/// PROTO, EXTERNPROTO and ROUTE may stand wherever a node or a field may.
+/// Reads PROTO, EXTERNPROTO or ROUTE, which may stand wherever a node or a field may.
 bool Parser::readStatement()
 {
   const Token token = lexer.peek();
@@ -36,7 +36,7 @@ bool Parser::readStatement()
   return document.version == Version::x3d && readStatementOfX3D();
 }
 
-/// What X3D has between its header and its nodes.
+/// Reads a statement that X3D has between its header and its nodes.
 bool Parser::readStatementOfX3D()
 {
   const Token token = lexer.peek();
@@ -59,7 +59,7 @@ bool Parser::readStatementOfX3D()
     return false;
   }
   lexer.next();
-  for (int i = 0; i < 2 && lexer.peek().kind == TokenKind::string; ++i) // of META
+  for (int i = 0; i < 2 && lexer.peek().kind == TokenKind::string; ++i) // strings of META
   {
     lexer.next();
   }
@@ -75,7 +75,7 @@ bool Parser::readStatementOfX3D()
   return true;
 }
 
-/// `ROUTE a.b TO c.d`, where blanks may surround the dots.
+/// Reads `ROUTE a.b TO c.d`, where blanks may surround the dots.
 void Parser::readRoute()
 {
   ++document.routes;
@@ -185,7 +185,7 @@ void Parser::openBody(Prototype& prototype)
   const int line = lexer.place().line;
   lexer.next();
   prototype.body = &document.addNode();
-  scopes.emplace_back(); // names inside are unknown outside, and the other way round
+  scopes.emplace_back(); // names inside are unknown outside, and the other way around
   frames.push_back({Open::body, slotOf(*prototype.body, "children"), nullptr, &prototype, line});
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The parser's reading of field values, what it skips, and its messages.
+/// The parser's part for values of fields, for skipped text, and for messages.
 #include "Input.h"
 #include "NodeTypes.h"
 #include "Parser.h"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t tickInterval = 1 << 16;
 
-/// Numbers in one value of a type.
+/// Returns the count of numbers in one value of a type.
 std::size_t arityOf(FieldType type)
 {
   switch (type)
@@ -86,7 +86,7 @@ void Parser::readValue(Node& owner, std::size_t field, FieldType type, bool inIn
     document.points += points ? points->size() / 3 : 0;
     const auto* indices = std::get_if<Integers>(&value);
     document.indices += indices ? indices->size() : 0;
-    owner.fields[field].value = std::move(value);
+    owner.fields[field].value = value;
     return;
   }
   const std::string consequence = inInterface ? "" : "; this " + toUtf8(owner.typeName) + " is left out";
@@ -200,7 +200,7 @@ bool Parser::readIntegers(Value& value, bool many)
   return endsList();
 }
 
-/// Some programs put brackets about single values.
+/// Opens a bracket, which some programs put around single values.
 bool Parser::openNeedlessBracket()
 {
   if (lexer.peek().kind != TokenKind::openBracket)
@@ -212,7 +212,7 @@ bool Parser::openNeedlessBracket()
   return true;
 }
 
-/// At the end of a list, which may lack its bracket where its node ends.
+/// True at the end of a list, which may lack its bracket where its node ends.
 bool Parser::endsList()
 {
   const TokenKind kind = lexer.peek().kind;
@@ -224,8 +224,8 @@ bool Parser::endsList()
   return kind == TokenKind::closeBracket && lexer.next().kind == TokenKind::closeBracket;
 }
 
-/// A list whose length is no multiple of `arity` loses its incomplete end. Only where `gaps` are allowed may something
-/// stand there that is no number.
+/// Reads numbers. A list whose length is no multiple of `arity` loses its incomplete end. Entries that are no numbers
+/// are allowed only with `gaps`.
 bool Parser::readNumbers(Value& value, std::size_t arity, bool many, bool gaps)
 {
   if (!many || lexer.peek().kind != TokenKind::openBracket)
@@ -272,12 +272,12 @@ bool Parser::readStrings(Value& value, bool many)
   if (isVersion1() && !bracket && out.empty() && lexer.peek().kind == TokenKind::word)
   {
     out.push_back(document.keep(lexer.next().text),
-                  document.memory); // VRML 1.0 has no quotes about strings without blanks
+                  document.memory); // VRML 1.0 has no quotes around strings without blanks
   }
   return bracket ? lexer.next().kind == TokenKind::closeBracket : !out.empty();
 }
 
-/// `SIDES`, or `(SIDES | TOP)`.
+/// Reads `SIDES`, or `(SIDES | TOP)`.
 bool Parser::readWords(Value& value)
 {
   auto& out = value.emplace<Strings>();
@@ -308,7 +308,7 @@ bool Parser::readWords(Value& value)
   return !inside;
 }
 
-/// Whether the next value, of a type that is not known, looks like nodes.
+/// True if the next value, of an unknown type, looks like nodes.
 bool Parser::holdsNodes()
 {
   if (lexer.peek().kind != TokenKind::openBracket)
@@ -356,8 +356,8 @@ void Parser::readByLook()
   }
 }
 
-/// Skips from an opening bracket or brace to its counterpart. Arrays that nobody wants pass through here, so
-/// the brackets of another kind only matter where they enclose it.
+/// Skips from an opening bracket or brace to its counterpart. Arrays that are not needed pass through here, so the
+/// brackets of another kind only matter where they enclose it.
 void Parser::skipGroup()
 {
   std::vector<TokenKind> closing;
@@ -379,14 +379,14 @@ void Parser::skipGroup()
     }
     else if (token.kind == TokenKind::closeBrace)
     {
-      expected("']'"); // of a list that was not closed; the brace is its node's
+      expected("']'"); // the list was not closed; the brace is its node's
       return;
     }
     lexer.next();
   } while (!closing.empty());
 }
 
-/// After an error in a value: goes to where the next field may start.
+/// Continues after an error in a value, at the possible start of the next field.
 void Parser::resume(const Node* owner, bool inBrackets)
 {
   for (;;)
@@ -437,7 +437,7 @@ void Parser::warn(const std::string& text)
   diagnostics.warn(diagnostics.count() < Diagnostics::keptAtMost ? textOf(lexer.place()) + ": " + text : text);
 }
 
-/// The file ends while something is open: what was read of it is kept.
+/// Handles a file that ends while a construct is open: the part that was read is kept.
 void Parser::unexpectedEnd()
 {
   if (frames.size() > 1)
@@ -470,7 +470,7 @@ std::string Parser::tell(const Token& token) const
   }
 }
 
-/// Lets go of the text read so far, every now and then: what is kept of it is about as much again.
+/// Frees the text read so far, every now and then: the nodes made of it take about as much memory again.
 void Parser::forget()
 {
   constexpr std::size_t interval = std::size_t{8} << 20;

@@ -9,7 +9,7 @@ namespace atria::vrml {
 
 namespace {
 
-/// A ring of points about the y axis, counter-clockwise as seen from above.
+/// Adds a ring of points around the y axis, counter-clockwise as seen from above.
 std::vector<Index> addRing(SurfaceBuilder& builder, double radius, double y, int segments)
 {
   std::vector<Index> ring;
@@ -38,7 +38,7 @@ void addFan(SurfaceBuilder& builder, const std::vector<Index>& ring, Index tip)
   }
 }
 
-/// Cuts a disc into a zigzag of triangles from side to side: no point gets many.
+/// Cuts a disc into a zigzag of triangles from side to side, so that no point gets many triangles.
 void addCap(SurfaceBuilder& builder, std::vector<Index> ring, bool upwards)
 {
   if (!upwards)
@@ -64,13 +64,13 @@ double sagittaOf(double degrees, double radius)
 
 int segmentsOf(double degrees)
 {
-  // Not one more segment because 360 / 7.2 came out as 50.000000000000007.
+  // The tolerance prevents one more segment because 360 / 7.2 came out as 50.000000000000007.
   return std::max(3, static_cast<int>(std::ceil(360.0 / degrees - 1e-9)));
 }
 
 namespace {
 
-/// So many points around that neighbors are no more than twice the half angle apart whose cosine this is.
+/// Returns the number of points around an axis. Neighbors are at most twice the angle with this cosine apart.
 int segmentsOfCosine(double cosine)
 {
   const double half = cosine < 1.0 ? std::acos(std::max(cosine, 0.5)) : 0.0; // three points at least

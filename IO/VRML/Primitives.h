@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// VRML's solids as triangles. Points of the round ones lie on the surface; `segments` counts them around the
-/// axis.
+/// VRML's solids as triangles. Points of the round ones lie on the surface; `segments` counts them around the axis.
 #pragma once
 
 #include "SurfaceBuilder.h"
 
 namespace atria::vrml {
 
-/// How round solids are cut into facets.
+/// Fineness of the facets of round solids.
 struct Tessellation
 {
-  double angle = 10.0; ///< degrees between neighboring points, at most
-  double error = 0.0;  ///< distance between facets and the true surface, at most; any with 0
-  /// Distance between facets and the true surface that is negligible: small solids get no more points than it takes,
+  double angle = 10.0; ///< largest angle between neighboring points, degrees
+  double error = 0.0;  ///< largest distance between facets and the true surface; 0 for any
+  /// Distance between facets and the true surface that is negligible. Small solids get no more points than it requires,
   /// though at least `fewestSegments`, unless `error` is stricter.
   double negligible = 0.0;
 };
 
-/// Distance between the middle of an arc of so many degrees and its chord.
+/// Returns the distance between the middle of an arc of so many degrees and its chord.
 double sagittaOf(double degrees, double radius);
 
-/// Points around a full turn so that none is further than `degrees` from the next; at least three.
+/// Returns the number of points around a full turn so that none is further than `degrees` from the next; at least
+/// three.
 int segmentsOf(double degrees);
 
-/// The same for a circle of a radius, so that no chord is further from its arc than the error allows: the sagitta,
-/// radius (1 - cos(pi / n)). At most `mostSegments`.
+/// Returns the same for a circle of a radius, so that no chord is further from its arc than the error allows: the
+/// sagitta, radius (1 - cos(pi / n)). At most `mostSegments`.
 int segmentsOf(const Tessellation& wanted, double radius);
 
-/// Around a sphere, whose facets have two chords to stay below it: their middle is at radius cos(pi / n)^2 at least.
+/// Returns the same for a sphere. The middles of its facets, on chords of chords, are at radius cos(pi / n)^2 at least.
 int segmentsOfSphere(const Tessellation& wanted, double radius);
 
 inline constexpr int mostSegments = 3600;

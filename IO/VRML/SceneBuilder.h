@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Collects shapes, groups, materials and triangles into a scene.
 #pragma once
 
 #include "Scene.h"
@@ -13,15 +14,15 @@
 
 namespace atria::vrml {
 
-/// Puts a scene together.
+/// Builds a scene step by step.
 class SceneBuilder
 {
 public:
-  /// Makes room for what a document has if it is drawn once.
+  /// Makes room for the content of a document that is drawn once.
   void reserve(const Document& document);
-  /// A group inside another; `name` as the file has it.
+  /// Adds a group inside another; `name` as the file has it.
   Index group(std::string_view name, Index parent);
-  /// Empty for none.
+  /// Returns a group's name; empty for none.
   std::string_view groupName(Index group) const
   {
     return group == noIndex ? std::string_view{} : std::string_view(scene.groups[group].name);
@@ -29,10 +30,10 @@ public:
   Index material(const Material& material);
   void skip(const std::string& what, std::size_t count = 1) { scene.skipped[what] += count; }
 
-  /// False, and nothing is added, where coordinates grow beyond all numbers. Throws Error where there are too many.
+  /// Adds a shape. Returns false, and adds nothing, if coordinates overflow. Throws Error if there are too many.
   bool add(const LocalSurface& surface, const Eigen::Affine3d& transform, const Shape& shape);
 
-  /// What one call of add() has added.
+  /// Range of points and triangles that one call of add() has added.
   struct Addition
   {
     std::size_t firstPoint = 0;
@@ -41,14 +42,14 @@ public:
     std::size_t endTriangle = 0;
   };
   Addition lastAddition() const { return last; }
-  /// Puts other triangles in the place of each of some additions, which are in order: `remake` adds those of the
-  /// addition of that number by addTriangles().
+  /// Replaces the triangles of some additions, which are in order. `remake` adds those for the addition of that number
+  /// by addTriangles().
   void replace(const std::vector<Addition>& additions, const std::function<void(std::size_t)>& remake);
-  /// Adds triangles to a shape that is known. False, and nothing is added, where coordinates grow beyond all numbers.
+  /// Adds triangles to a known shape. Returns false, and adds nothing, if coordinates overflow.
   bool addTriangles(const LocalSurface& surface, const Eigen::Affine3d& transform, Index shape);
 
   Index lastShape() const { return static_cast<Index>(scene.shapes.size() - 1); }
-  /// Of all points so far.
+  /// Returns the bounds of all points so far.
   Box3 bounds() const;
 
   Scene take() { return std::move(scene); }

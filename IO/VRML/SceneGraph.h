@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a VRML file says, as read: nodes with their fields, prototypes, nothing evaluated.
+/// The content of a VRML file, as read: nodes with their fields, and prototypes, nothing evaluated.
 #pragma once
 
 #include "List.h"
@@ -40,7 +40,7 @@ using Value = std::variant<std::monostate, bool, Integers, Numbers, Strings, Nod
 
 enum class FieldType
 {
-  unknown, ///< read by the look of its value and not kept, apart from nodes
+  unknown, ///< read by the look of its value and not kept, except for nodes
   sfBool,
   sfInt32,
   sfFloat,
@@ -49,19 +49,19 @@ enum class FieldType
   sfRotation,
   sfMatrix,
   sfString,
-  sfWord, ///< of VRML 1.0: an enumeration's value, or several of them as (A | B)
+  sfWord, ///< type of VRML 1.0: an enumeration's value, or several of them as (A | B)
   sfNode,
   mfInt32,
   mfFloat,
   mfVec2f,
   mfVec3f,
-  mfPoint, ///< as mfVec3f, but what is no number is kept as such: it costs the faces about one point
+  mfPoint, ///< as mfVec3f, but invalid numbers are kept as such: they cost the faces around one point
   mfRotation,
   mfString,
   mfNode
 };
 
-/// Whether two names are the same. Most that are not differ in length or in the first letter.
+/// True if two names are the same. Most different names differ in length or in the first letter.
 inline bool isSame(std::string_view a, std::string_view b)
 {
   return a.size() == b.size() && (a.empty() || (a[0] == b[0] && a == b));
@@ -78,7 +78,7 @@ struct Node
   std::string_view typeName;
   const NodeType* type = nullptr;       ///< null for unknown types
   const Prototype* prototype = nullptr; ///< set where the node is an instance of one
-  std::string_view name;                ///< by DEF; empty without
+  std::string_view name;                ///< DEF name; empty without one
   const Document* document = nullptr;
   int line = 0;
   std::uint32_t column : 30 = 0;
@@ -107,8 +107,8 @@ struct Prototype
   Node* defaults = nullptr; ///< its fields are the interface's defaults
   Node* body = nullptr;     ///< its only field lists the nodes of the body; the first one is drawn
   bool external = false;
-  Strings urls;                       ///< of an EXTERNPROTO
-  const NodeType* standard = nullptr; ///< of an EXTERNPROTO whose URL names a node of the standard
+  Strings urls;                       ///< for an EXTERNPROTO
+  const NodeType* standard = nullptr; ///< for an EXTERNPROTO whose URL names a node of the standard
   const Document* document = nullptr;
 };
 
@@ -129,7 +129,7 @@ struct Document
 
   std::filesystem::path file;
   LargePages pages;
-  /// For what files have millions of, nodes, fields, lists and texts, which go all at once.
+  /// Memory for nodes, fields, lists and texts: files have millions of them, which are freed all at once.
   std::pmr::monotonic_buffer_resource memory{&pages};
   Version version = Version::vrml97;
   Node* root = nullptr; ///< its only field lists the file's nodes
@@ -137,18 +137,18 @@ struct Document
   std::size_t routes = 0;
   std::size_t points = 0;   ///< in all coordinates
   std::size_t indices = 0;  ///< in all lists of them
-  std::size_t names = 0;    ///< of nodes
-  std::size_t surfaces = 0; ///< nodes that make some
-  std::string head;         ///< the first characters of the file, where programs say who they are
+  std::size_t names = 0;    ///< names of nodes
+  std::size_t surfaces = 0; ///< nodes that make surfaces
+  std::string head;         ///< the first characters of the file, where programs name themselves
 
-  /// Never destroyed, as all that nodes hold is in `memory`.
+  /// Adds a node. It is never destroyed, as all that nodes hold is in `memory`.
   Node& addNode()
   {
     Node* const node = new (memory.allocate(sizeof(Node), alignof(Node))) Node;
     node->document = this;
     return *node;
   }
-  /// A copy that lives as long as the document.
+  /// Returns a copy that lives as long as the document.
   std::string_view keep(std::string_view text)
   {
     char* const copy = static_cast<char*>(memory.allocate(text.size(), 1));
@@ -158,7 +158,8 @@ struct Document
   std::string displayName() const { return file.filename().string(); }
 };
 
-/// File, line, column, type and name of a node, for messages. What has no name of its own goes by `name`.
+/// Returns file, line, column, type and name of a node, for messages. `name` is used for a node without a name of its
+/// own.
 inline std::string placeOf(const Node& node, std::string_view name = {})
 {
   const std::string_view shown = node.name.empty() ? name : node.name;

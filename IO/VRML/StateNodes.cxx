@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The evaluator's part for VRML 1.0, where nodes change a state that those after them find.
+/// The evaluator's part for VRML 1.0, whose nodes change a state for the nodes that follow.
 #include "Evaluator.h"
 #include "Input.h"
 #include "NodeTypes.h"
@@ -60,7 +60,7 @@ void Evaluator::changeState(const NodeRef& ref)
   }
   else if (type == "MatrixTransform")
   {
-    // Written for row vectors: the last row is the translation.
+    // The matrix is written for row vectors: the last row is the translation.
     const std::vector<double> m = instances.numbers(ref, "matrix", {});
     if (m.size() == 16)
     {

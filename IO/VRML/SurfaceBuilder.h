@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Collects polygons and cuts them into triangles.
 #pragma once
 
 #include "Support/Types.h"
@@ -19,12 +20,12 @@ struct LocalSurface
   std::vector<Index> faceIds; ///< per triangle: the polygon it was cut from, counted from 0; ascending
 };
 
-/// Collects polygons as triangles.
+/// Cuts polygons into triangles of one surface.
 class SurfaceBuilder
 {
 public:
   explicit SurfaceBuilder(bool turned = false) : flip(turned) {}
-  /// Uses the memory of another surface again, for callers with many small ones.
+  /// Reuses the memory of another surface, for callers with many small ones.
   SurfaceBuilder(bool turned, LocalSurface&& memory) : surface(std::move(memory)), flip(turned)
   {
     surface.points.clear();
@@ -44,7 +45,7 @@ public:
     surface.triangles.reserve(triangles);
     surface.faceIds.reserve(triangles);
   }
-  /// Polygons without area are dropped and counted.
+  /// Adds a polygon. One without area is dropped and counted.
   void polygon(std::span<const Index> ids);
   void quad(Index a, Index b, Index c, Index d) { polygon(std::array<Index, 4>{a, b, c, d}); }
 
@@ -60,7 +61,7 @@ private:
   }
 
   LocalSurface surface;
-  PolygonTriangles cut; ///< of the last polygon
+  PolygonTriangles cut; ///< triangles of the last polygon
   bool flip;
   Index polygons = 0;
   std::size_t flat = 0;

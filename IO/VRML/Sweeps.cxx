@@ -9,7 +9,7 @@ namespace {
 
 using Frame = Eigen::Matrix3d; ///< columns: the axes of a cross-section's plane in space
 
-/// Turns the default cross-section's normal into the direction of a straight spine.
+/// Returns the turn from the default cross-section's normal to the direction of a straight spine.
 Frame straightFrame(const Vec3& direction)
 {
   return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), direction).toRotationMatrix();
@@ -35,7 +35,7 @@ Vec3 unitOrZero(const Vec3& v)
   return length > 0.0 ? Vec3(v / length) : Vec3(Vec3::Zero());
 }
 
-/// Directions along the spine; where points coincide, that of the point before.
+/// Returns directions along the spine. Coincident points have that of the point before.
 std::vector<Vec3> tangents(const std::vector<Vec3>& spine, bool closed)
 {
   std::vector<Vec3> out(spine.size());
@@ -47,14 +47,13 @@ std::vector<Vec3> tangents(const std::vector<Vec3>& spine, bool closed)
     out[i] = out[i].isZero() ? known : out[i];
     known = out[i];
   }
-  // Leading coincident points take the first direction there is.
+  // Leading coincident points take the first direction that exists.
   const auto first = std::find_if(out.begin(), out.end(), [](const Vec3& t) { return !t.isZero(); });
   std::fill(out.begin(), first, first == out.end() ? Vec3(Vec3::UnitY()) : *first);
   return out;
 }
 
-/// The z axes of the cross-sections' planes: normals of the spine's bends, none turned against the one
-/// before.
+/// Returns the z axes of the cross-sections' planes: normals of the spine's bends, none turned against the one before.
 std::vector<Vec3> bends(const std::vector<Vec3>& spine, bool closed)
 {
   constexpr double straight = 1e-9;

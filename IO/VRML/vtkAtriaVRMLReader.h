@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Reader that loads VRML models, of VRML97 and VRML 1.0.
 /**
  * @class   vtkAtriaVRMLReader
  * @brief   Reads the surfaces of a VRML model as named triangles
  *
- * The reader takes a VRML97 (VRML 2.0) or VRML 1.0 file, plain or compressed with gzip whatever its name, and gives
- * the surfaces of all its shapes as triangles in double precision. VRML does
- * not say which unit an exporter used nor, for architecture, reliably which axis is up: that is for the user to say.
- * Where it is not said, z is up and lengths are meters, and what speaks against it is a warning.
+ * The reader takes a VRML97 (VRML 2.0) or VRML 1.0 file, plain or compressed with gzip whatever its name, and returns
+ * the surfaces of all its shapes as triangles in double precision. VRML does not say which unit an exporter used nor,
+ * for architecture, reliably which axis is up: the user has to state both. By default z is up and lengths are meters; a
+ * warning reports any sign of the contrary.
  *
  * Output:
  * - points in double precision, shared within a shape as the file shares them;
@@ -25,17 +26,17 @@
  * repeat are numbered in the order of the file: `Wall`, `Wall_2`, `Wall_3`. An Inline without a name goes by that of
  * its file. All strings are UTF-8; names in other encodings are read as Latin-1.
  *
- * Read are Transform, Group, Anchor, Billboard (not turned), Collision (not its proxy), Switch (the choice
- * the file makes), LOD (the finest level), Inline (files beside this one, at any depth), DEF and USE, PROTO
- * and EXTERNPROTO, and Shape with IndexedFaceSet, Box, Sphere, Cone, Cylinder, ElevationGrid and Extrusion; of
- * VRML 1.0 all groups, transforms, ShapeHints, Material, WWWInline, IndexedFaceSet, Cube, Sphere, Cone, Cylinder, and
- * nodes of others that say by `isA` what they are.
- * Faces are triangulated properly whether or not the file calls them convex; faces without area are dropped.
- * Lines, points, text, lights, sensors, scripts and the like make no surface: GetSkippedNodes lists them.
+ * The reader handles Transform, Group, Anchor, Billboard (not turned), Collision (not its proxy), Switch (the choice
+ * the file makes), LOD (the finest level), Inline (files beside this one, at any depth), DEF and USE, PROTO and
+ * EXTERNPROTO, and Shape with IndexedFaceSet, Box, Sphere, Cone, Cylinder, ElevationGrid and Extrusion. Of VRML 1.0 it
+ * handles all groups, transforms, ShapeHints, Material, WWWInline, IndexedFaceSet, Cube, Sphere, Cone, Cylinder, and
+ * nodes of others that state by `isA` what they are. Faces are triangulated properly whether or not the file calls them
+ * convex; faces without area are dropped. Lines, points, text, lights, sensors, scripts and the like make no surface:
+ * GetSkippedNodes lists them.
  *
- * A damaged file is read as far as possible. What was skipped or had to be guessed is reported in one VTK
- * warning, and in full by GetWarnings. An error, with empty output, is reported for a file that cannot be
- * read or that holds no surface at all.
+ * A damaged file is read as far as possible. Skipped content and guesses are reported in one VTK warning, and in full
+ * by GetWarnings. An error, with empty output, is reported for a file that cannot be read or that holds no surface at
+ * all.
  *
  * Limits: only files are inlined, no network addresses; animations stay at their initial state; a scene
  * that repeats its nodes more than five million times is refused.
@@ -66,17 +67,16 @@ public:
 
   ///@{
   /**
-   * Distance in meters between the facets of spheres, cones and cylinders and their true surface that is not to be
-   * exceeded, whatever transforms, units and Scale make of them: more points around are taken than
-   * TessellationAngle asks for, up to 3600. Points lie on the true surface, so that facets are inside of it. Default
-   * 0, for any.
+   * Maximum distance in meters between the facets of spheres, cones and cylinders and their true surface, after
+   * transforms, units and Scale. More points around are taken than TessellationAngle requires, up to 3600. Points lie
+   * on the true surface, so that facets are inside of it. Default 0, for any.
    */
   vtkAtriaSetInRangeMacro(TessellationError, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TessellationError, double);
   ///@}
 
   /**
-   * Whether the file begins like a VRML file, looking inside gzip too. Files without a header can be read
+   * True if the file, or its content unpacked from gzip, begins like a VRML file. Files without a header can be read
    * nevertheless.
    */
   static bool CanReadFile(const char* fileName);

@@ -27,10 +27,10 @@
 namespace atria {
 namespace {
 
-/// More names do not fit beside the view, and no palette tells so many colors apart.
+/// More names do not fit beside the view, and no palette has so many distinct colors.
 constexpr int longestLegend = 40;
 
-/// What the hints of a representation say of its categories. Null pointers where they say nothing.
+/// Hints of a representation on its categories. Pointers are null for missing hints.
 struct CategoryHints
 {
   const char* array = nullptr; ///< cell array of integers
@@ -71,7 +71,7 @@ bool isColoredBy(vtkSMProxy* representation, const char* array)
   return shown && std::strcmp(shown, array) == 0;
 }
 
-/// Those that occur in the data of one representation.
+/// Returns the categories that occur in the data of one representation.
 Categories categoriesOf(vtkSMProxy* representation)
 {
   const CategoryHints hints = categoryHintsOf(representation);
@@ -95,7 +95,7 @@ Categories categoriesOf(vtkSMProxy* representation)
   return categories;
 }
 
-/// Those that take the colors. Their properties are of proxies within them.
+/// Returns the representations that use the colors. The colors' consumers are proxies within them.
 std::vector<vtkSMProxy*> representationsIn(vtkSMProxy* colors)
 {
   std::vector<vtkSMProxy*> found;
@@ -110,7 +110,8 @@ std::vector<vtkSMProxy*> representationsIn(vtkSMProxy* colors)
   return found;
 }
 
-/// Those of all data in the same colors; where two name a category differently, as the representation does.
+/// Returns the categories of all data in the same colors. If two representations name one differently, `representation`
+/// decides.
 Categories categoriesIn(vtkSMProxy* colors, vtkSMProxy* representation)
 {
   Categories categories = categoriesOf(representation);
@@ -124,7 +125,7 @@ Categories categoriesIn(vtkSMProxy* colors, vtkSMProxy* representation)
   return categories;
 }
 
-/// Hues by the golden angle, so that neighbors differ whatever their number is.
+/// Returns a color whose hue advances by the golden angle, so that neighbors differ whatever their number is.
 Color paletteColor(int index, bool strong)
 {
   double unused = 0.0;
@@ -136,7 +137,7 @@ Color paletteColor(int index, bool strong)
   return rgb;
 }
 
-/// The colors that named categories have, as a user may have changed them.
+/// Returns the colors of named categories, including a user's changes.
 std::map<std::string, Color> colorsByText(vtkSMProxy* colors)
 {
   vtkSMPropertyHelper annotations(colors, "Annotations");
@@ -194,7 +195,7 @@ void nameCategoriesOf(vtkSMProxy* representation)
   nameCategories(colors, categories, hints.strong);
 }
 
-/// Whether there was something to color.
+/// Colors the cells by the hinted array. Returns false if there is nothing to color.
 bool colorCategories(vtkSMProxy* representation)
 {
   const CategoryHints hints = categoryHintsOf(representation);
@@ -212,7 +213,7 @@ bool colorCategories(vtkSMProxy* representation)
   return true;
 }
 
-/// Looks at the data whenever it is new.
+/// Checks the data whenever it is new.
 class FollowData : public vtkCommand
 {
 public:
@@ -232,7 +233,7 @@ public:
 
   void Look()
   {
-    // Once: a user may take another array, or none.
+    // Colors once only: a user may choose another array, or none.
     this->Colored = this->Colored || colorCategories(this->Representation);
     if (this->Colored)
     {
@@ -244,7 +245,7 @@ public:
   bool Colored = false;
 };
 
-/// Light, so that it suits white views as well.
+/// Makes a legend's ground light, so that it suits white views as well.
 void makeLegible(vtkSMProxy* legend)
 {
   const double ground[4] = {1.0, 1.0, 1.0, 1.0};
@@ -266,7 +267,7 @@ bool hasOurColors(vtkSMProxy* legend)
   return std::ranges::any_of(shown, [](vtkSMProxy* representation) { return categoryHintsOf(representation).array; });
 }
 
-/// Sees each legend that is made.
+/// Observes each legend that is made.
 class FollowLegends : public vtkCommand
 {
 public:

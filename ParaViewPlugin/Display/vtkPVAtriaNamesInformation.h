@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Information object that brings names from the server to ParaView's client.
 /**
  * @class   vtkPVAtriaNamesInformation
  * @brief   brings names from the data of an output port, wherever the server is, to the client
  *
- * With ArrayName `SurfaceName` they are the names of surfaces as the filters find them: of a field array, of a cell
- * array, or of blocks. Any other ArrayName is a field array of strings.
+ * With ArrayName `SurfaceName`, returns the names of surfaces as the filters find them: in a field array, in a cell
+ * array, or in names of blocks. Any other ArrayName is a field array of strings.
  */
 #ifndef vtkPVAtriaNamesInformation_h
 #define vtkPVAtriaNamesInformation_h
@@ -51,7 +52,7 @@ public:
 
   ///@{
   /**
-   * What was gathered; empty before, and where there is no data or array.
+   * Gathered names and indices; empty before, and if there is no data or array.
    */
   int GetNumberOfNames() { return static_cast<int>(this->Names.size()); }
   std::string GetName(int i);

@@ -22,7 +22,7 @@ void showSeries(vtkSMProxy* representation, vtkSMSourceProxy* source, int port, 
 {
   vtkSMPropertyHelper(representation, "UseIndexForXAxis").Set(0);
   vtkSMPropertyHelper(representation, "XArrayName").Set(x);
-  // All columns, as those that are not named are visible.
+  // Lists all columns, as unnamed ones are visible.
   vtkPVDataSetAttributesInformation* columns =
       source->GetDataInformation(port)->GetAttributeInformation(vtkDataObject::ROW);
   const auto count = static_cast<unsigned int>(columns->GetNumberOfArrays());

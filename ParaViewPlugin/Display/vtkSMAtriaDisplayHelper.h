@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Helper that sets up new representations of Atria's data in ParaView.
 /**
  * @class   vtkSMAtriaDisplayHelper
- * @brief   how representations of Atria's data begin
+ * @brief   initial display of representations of Atria's data
  *
- * Named in the hints of a representation. What the attributes of the hint do, each optional:
+ * The hints of a representation name it. The attributes of the hint, each optional, are:
  * - `cull_front="1"`: faces seen from outside of the fluid are not drawn, so that the domain is open to the eye;
  * - `array="SurfaceId" names="SurfaceName"`: the cells' array is shown in categorical colors, and those that occur have
  *   the names of the array of strings, as long as a legend can hold them, also after the data has changed. With

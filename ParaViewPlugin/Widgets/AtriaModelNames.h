@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the panels know of the model that a filter is given.
+/// Names and bounds of the model that a filter is given, for the panels.
 #pragma once
 
 #include <QStringList>
@@ -10,10 +10,11 @@ class vtkSMProxy;
 
 namespace atria {
 
-/// Names of the surfaces in the data of the proxy's input or, of a reader, in its own; empty before there is any.
+/// Returns names of the surfaces in the data of the proxy's input or, for a reader, in its own; empty before there is
+/// any.
 QStringList surfaceNamesOf(vtkSMProxy* proxy);
 
-/// Bounds of the data of the proxy's input; not valid before there is any.
+/// Returns the bounds of the data of the proxy's input; not valid before there is any.
 vtkBoundingBox modelBoundsOf(vtkSMProxy* proxy);
 
 } // namespace atria

@@ -27,7 +27,7 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-/// From the middle of a box along axes turned by `degrees` to its lower corner, or back with a negative length.
+/// Returns the lower corner of a box by its middle, along axes turned by `degrees`; or back with negative lengths.
 Point lowerCorner(const Point& middle, const Point& lengths, double degrees)
 {
   const double c = std::cos(vtkMath::RadiansFromDegrees(degrees));
@@ -103,7 +103,7 @@ double pqAtriaBoxWidget::angle() const
 
 void pqAtriaBoxWidget::placeWidget()
 {
-  // The box of length one at the origin, which position and scale refer to.
+  // Position and scale refer to the box of length one at the origin.
   const double unit[6] = {0, 1, 0, 1, 0, 1};
   vtkSMPropertyHelper(this->widgetProxy(), "PlaceWidget").Set(unit, 6);
   this->widgetProxy()->UpdateVTKObjects();

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A box of six bounds, by numbers and by a box in the view. A seventh number is the size of elements in it.
+/// A panel widget for a box of six bounds, by numbers and by a box in the view. A seventh number is the size of
+/// elements in it.
 #pragma once
 
 #include "pqInteractivePropertyWidget.h"
 
-/// For a property group with one property, of six or seven doubles, whose function is `Bounds`. Where the proxy has a
-/// property DomainAngle the box in the view is turned by it about its middle.
+/// For a property group with one property, of six or seven doubles, whose function is `Bounds`. If the proxy has a
+/// property DomainAngle, the box in the view is turned by it around its middle.
 class pqAtriaBoxWidget : public pqInteractivePropertyWidget
 {
   Q_OBJECT

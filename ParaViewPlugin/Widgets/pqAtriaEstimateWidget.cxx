@@ -18,7 +18,7 @@
 
 namespace {
 
-/// Gives `to` what the panel shows of `from`, applied or not.
+/// Gives `to` the values that the panel shows of `from`, applied or not.
 void copyShown(vtkSMProxy* from, vtkSMProxy* to)
 {
   vtkSmartPointer<vtkSMPropertyIterator> it;

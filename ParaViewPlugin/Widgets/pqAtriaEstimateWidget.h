@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How many elements the values in the panel make, before they are applied.
+/// A panel widget that estimates the number of elements before the values in the panel are applied.
 #pragma once
 
 #include "pqPropertyWidget.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The name of a surface: chosen from those of the model, or typed, as patterns are.
+/// A panel widget for the name of a surface: chosen from those of the model, or typed, as patterns are.
 #pragma once
 
 #include "pqPropertyWidget.h"

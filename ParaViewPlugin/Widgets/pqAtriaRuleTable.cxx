@@ -21,7 +21,7 @@ namespace {
 
 constexpr int shownRows = 8;
 
-/// The pattern, without its quotes, and the words behind it.
+/// Returns the pattern, without its quotes, and the words behind it.
 std::pair<QString, QStringList> partsOf(const QString& rule)
 {
   static const QRegularExpression quoted(QStringLiteral("^\\s*\"([^\"]*)\"(.*)$"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A table of rules for surfaces: a row for each rule, then one for each surface of the model that has none.
+/// A panel widget with a table of rules for surfaces: a row for each rule, then one for each surface of the model that
+/// has none.
 #pragma once
 
 #include "pqPropertyWidget.h"

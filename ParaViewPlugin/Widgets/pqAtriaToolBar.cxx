@@ -30,7 +30,7 @@
 
 namespace {
 
-/// Whether the filter takes what the port has.
+/// True if the filter accepts the data of the port.
 bool accepts(const QString& filter, pqOutputPort* port)
 {
   if (!port || port->getSource()->modifiedState() == pqProxy::UNINITIALIZED)
@@ -51,7 +51,7 @@ bool accepts(const QString& filter, pqOutputPort* port)
   return accepted;
 }
 
-/// The filter's first input, null for a source.
+/// Returns the filter's first input, null for a source.
 pqOutputPort* upstreamOf(pqOutputPort* port)
 {
   auto* filter = qobject_cast<pqPipelineFilter*>(port->getSource());
@@ -59,8 +59,8 @@ pqOutputPort* upstreamOf(pqOutputPort* port)
   return inputs.isEmpty() ? nullptr : inputs.first();
 }
 
-/// The nearest port, from this one upstream, that the filter takes; null where there is none. So the mesher finds the
-/// model behind the table of a preflight, or behind a mesh.
+/// Returns the nearest port, from this one upstream, that the filter accepts; null if there is none. The mesher thus
+/// finds the model behind the table of a preflight, or behind a mesh.
 pqOutputPort* inputOf(const QString& filter, pqOutputPort* port)
 {
   while (port && !accepts(filter, port))
@@ -70,7 +70,7 @@ pqOutputPort* inputOf(const QString& filter, pqOutputPort* port)
   return port;
 }
 
-/// Gives a mesher what a preflight was made with, and the sizes that it found.
+/// Gives a mesher the properties of a preflight, and the sizes that it found.
 void handOver(vtkSMProxy* preflight, vtkSMProxy* mesher)
 {
   vtkSmartPointer<vtkSMPropertyIterator> it;
@@ -96,7 +96,7 @@ void handOver(vtkSMProxy* preflight, vtkSMProxy* mesher)
   mesher->UpdateVTKObjects();
 }
 
-/// Data is shown in the active view, and a table takes anything.
+/// Activates a render view. Data is shown in the active view, and a table takes anything.
 void activateRenderView()
 {
   pqActiveObjects& active = pqActiveObjects::instance();
@@ -111,7 +111,7 @@ void activateRenderView()
   }
 }
 
-/// Makes the filter behind what is selected, or behind what is nearest upstream of it.
+/// Makes the filter behind the selection, or behind the nearest port upstream that it accepts.
 void createStep(const QString& filter)
 {
   pqActiveObjects& active = pqActiveObjects::instance();
@@ -160,7 +160,7 @@ pqAtriaToolBar::pqAtriaToolBar(QWidget* parent) : QToolBar(tr("Atria: From Model
   this->connect(&active, SIGNAL(dataUpdated()), SLOT(updateSteps()));
   this->connect(pqApplicationCore::instance(), SIGNAL(forceFilterMenuRefresh()), SLOT(updateSteps()));
   this->updateSteps();
-  // Once the window has it: in a row of its own, as the others are full.
+  // Waits until the window has the tool bar, and puts it into a row of its own, as the others are full.
   QTimer::singleShot(0, this, [this] {
     if (auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget()))
     {

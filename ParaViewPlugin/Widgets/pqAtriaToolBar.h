@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// From a model to a case in five steps.
+/// The tool bar that leads from a model to a case in five steps.
 #pragma once
 
 #include <QToolBar>
@@ -18,7 +18,7 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqAtriaToolBar)
 
-  /// An action that puts the filter behind what is selected, or where it does not take that, behind the nearest
-  /// upstream that it takes.
+  /// Adds an action that puts the filter behind the selection or, if it does not accept that, behind the nearest
+  /// upstream port that it accepts.
   void addFilter(const QString& text, const QString& name, const QString& tip);
 };

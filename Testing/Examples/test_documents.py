@@ -19,8 +19,8 @@ OTHERS = re.compile(r"vtk(?!Atria)\w+|Ifc\w+")
 OTHER_OPTIONS = {"--system-site-packages", "--no-deps", "--full"}
 # Made when there is something to keep in them.
 LATER = {"Testing/Data/VRML/damaged", "Testing/Data/Models/damaged"}
-COMMANDS = re.findall(r"^  (\w+) ", subprocess.run([ATRIA, "--help"], capture_output=True, text=True, check=True).stdout
-                      .split("Subcommands:")[1], re.MULTILINE)
+COMMANDS = re.findall(r"^  (\w+) ", re.split("(?i)subcommands:", subprocess.run(
+    [ATRIA, "--help"], capture_output=True, text=True, check=True).stdout)[1], re.MULTILINE)
 QUOTE = re.compile(r"`([^`\n]+)`")
 
 

@@ -154,6 +154,8 @@ def check_vtk_reads(folder, table, volume, expected):
     reader.EnableAllBases()
     reader.EnableAllFamilies()
     expect_read(reader, table, volume, expected, "VTK of CGNS", 1e-6)
+    if hasattr(vtkUnstructuredGrid, "SetPolyhedralCells"):
+        return  # vtkFLUENTReader of these versions crashes at polyhedra
     reader = vtkFLUENTReader()
     reader.SetFileName(str(folder / "m.msh"))
     reader.AddObserver("ErrorEvent", lambda *_: None) # it asks for results, too

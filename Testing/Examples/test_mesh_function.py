@@ -34,13 +34,14 @@ class Wrapped(vtkPolyData):
 class Mesh(unittest.TestCase):
     def test_a_file_and_two_numbers(self):
         result = atria.mesh(MODEL, size=2.0, layers=2, domain=BOX)
-        self.assertIs(type(result.mesh), vtkUnstructuredGrid)
+        self.assertIsInstance(result.mesh, vtkUnstructuredGrid)
+        self.assertEqual(result.mesh.GetClassName(), "vtkUnstructuredGrid")
         self.assertEqual(result.report["counts"]["elements"], result.mesh.GetNumberOfCells())
         shapes = ("hexahedra", "wedges", "pyramids", "tetrahedra", "polyhedra")
         self.assertEqual(sum(result.report["counts"][shape] for shape in shapes), result.mesh.GetNumberOfCells())
         self.assertIn("WallSouth_front", result.patches)
         for name, patch in result.patches.items():
-            self.assertIs(type(patch), vtkPolyData, name)
+            self.assertEqual(patch.GetClassName(), "vtkPolyData", name)
             self.assertGreater(patch.GetNumberOfCells(), 0)
         self.assertGreater(result.diagnostics.GetFieldData().GetNumberOfArrays(), 10)
         self.assertEqual({layer["layers"] for layer in result.report["layers"]}, {2})

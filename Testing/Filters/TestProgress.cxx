@@ -268,7 +268,8 @@ TEST_P(EveryFilter, AbortedAtAnyEventLeavesNothingAndTheNextUpdateGivesAll)
         break;
       }
       ASSERT_TRUE(heard.aborted);
-      EXPECT_LE(count, n + 1);
+      // Later versions of VTK say in any case that all is done.
+      EXPECT_LE(heard.fractions.back() == 1.0 ? count - 1 : count, n + 1);
     }
     EXPECT_TRUE(isEmpty(filter));
     // Nothing is modified: what was aborted is still asked for.

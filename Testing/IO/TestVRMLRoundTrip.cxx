@@ -8,12 +8,12 @@
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
+#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkStripper.h>
 #include <vtkTriangleFilter.h>
@@ -63,7 +63,7 @@ protected:
 
   VRMLModel written()
   {
-    vtkNew<vtkRenderWindow> window;
+    vtkNew<vtkGenericOpenGLRenderWindow> window;
     window->AddRenderer(renderer);
     vtkNew<vtkVRMLExporter> exporter;
     exporter->SetRenderWindow(window);

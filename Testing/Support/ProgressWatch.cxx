@@ -18,7 +18,14 @@ ProgressWatch::ProgressWatch(vtkAlgorithm* target, Condition abortWhen)
   tag = algorithm->AddObserver(vtkCommand::ProgressEvent, observer);
 }
 
-ProgressWatch::~ProgressWatch() { algorithm->RemoveObserver(tag); }
+ProgressWatch::~ProgressWatch()
+{
+  algorithm->RemoveObserver(tag);
+  if (aborted)
+  {
+    algorithm->AbortExecuteOff(); // pipelines of later versions of VTK leave that to who asked for the abort
+  }
+}
 
 void ProgressWatch::note(double fraction)
 {

@@ -12,11 +12,11 @@ namespace atria {
 
 namespace {
 
-/// Places, in all, at which overlaps are measured; along each axis of one, at least and at most.
+/// Number of sample lines for all overlaps together, and the least and greatest number along each axis of one overlap.
 constexpr double samples = 50'000.0;
 constexpr double fewestSamples = 4.0;
 constexpr double mostSamples = 24.0;
-/// The part of the directions, level and up, in which an open body is met from within.
+/// The part of the directions, level and up, in which an open body is met from its middle.
 constexpr double enclosing = 0.7;
 /// The part of an open body's box that is left out of the mesh where its inside is.
 constexpr double leastLeftOut = 0.25;
@@ -26,7 +26,7 @@ std::vector<Vec3> levelAndUp()
   std::vector<Vec3> directions{Vec3::UnitZ()};
   for (int i = 0; i < 8; ++i)
   {
-    // Not along walls, nor through the edges between them.
+    // The directions run neither along walls nor through the edges between them.
     const double angle = 0.1 + i * std::atan(1.0);
     directions.emplace_back(std::cos(angle), std::sin(angle), 0.013);
     directions.emplace_back(std::cos(angle), std::sin(angle), 1.02);
@@ -261,7 +261,7 @@ private:
   const ConvexRegion region;
   const std::vector<ZoneSummary>& zones;
   double sizeMin;
-  std::vector<double> within; ///< by closed body
+  std::vector<double> within; ///< one entry per closed body: its volume in the domain
   BodyAudit out;
 };
 

@@ -11,7 +11,7 @@ namespace atria {
 struct AiredBody
 {
   Index surface;
-  /// Of the air in a closed body, and of the space about an open one; cubic model units.
+  /// Volume of the air in a closed body or of the box around an open one, in cubic model units.
   double volume;
   /// Along the model's axes.
   Vec3 place;
@@ -19,14 +19,15 @@ struct AiredBody
 
 struct BodyAudit
 {
-  /// Closed bodies that reach into the domain, and the volume within it, where they overlap once. Those of surfaces
-  /// that are ground are not among them.
+  /// Number of closed bodies that reach into the domain, and their volume within it, where overlaps count once. Bodies
+  /// of ground surfaces are not counted.
   std::size_t closed = 0;
   double volume = 0.0;
-  /// What bodies have in common, and the two that have most of it.
+  /// Volume of all overlaps of two bodies, and the surfaces of the two that overlap most.
   double overlap = 0.0;
   std::array<Index, 2> overlapping{noIndex, noIndex};
-  /// Whether solids alone are left out of the domain: there is no ground but its bottom.
+  /// True if no ground surface rises above the domain's bottom by more than half of `sizeMin`: solids alone are left
+  /// out of the domain.
   bool isOnFlatGround = false;
   /// Closed bodies around a zone that is meshed.
   std::vector<AiredBody> hollow;
@@ -34,10 +35,11 @@ struct BodyAudit
   std::vector<AiredBody> open;
 };
 
+/// Returns what became of the bodies of a model.
 /// \param domain   Along the model's axes.
-/// \param zones    Of the mesh, along the model's axes.
-/// \param sizeMin  Of the finest octants: smaller bodies are not looked at.
-/// The overlap is sampled: it is right to some hundredths. The result depends neither on threads nor on ranks.
+/// \param zones    Zones of the mesh, along the model's axes.
+/// \param sizeMin  Edge length of the finest octants; smaller bodies are ignored.
+/// The overlap is sampled and right to some hundredths. The result depends neither on threads nor on ranks.
 BodyAudit auditBodies(const DrawnModel& drawn, const PlacedPrism& domain, const std::vector<ZoneSummary>& zones,
                       double sizeMin);
 

@@ -11,13 +11,13 @@ namespace atria {
 class ConvexRegion
 {
 public:
-  /// What is beyond a plane by no more than `tolerance` counts as within, such as a base on the domain's bottom.
+  /// Points beyond a plane by no more than `tolerance` count as within, such as a base on the domain's bottom.
   ConvexRegion(const Box3& box, double tolerance);
   /// Along the prism's axes.
   ConvexRegion(const PlacedPrism& prism, double tolerance);
 
-  /// Of the part of a triangle within the region: its area, and the integral over it of the height above `level`. Both
-  /// are 0 where nothing of it lies within.
+  /// The part of a triangle within the region: its area, and the integral over it of the height above `level`. Both are
+  /// 0 if no part lies within.
   struct Part
   {
     double area = 0.0;
@@ -32,11 +32,11 @@ private:
     double offset;
     double beyond(const Vec3& p) const { return normal.dot(p) - offset; }
   };
-  Box3 bounds_; ///< what lies in this box lies in the region; empty if that is not known
+  Box3 bounds_; ///< all of this box lies in the region; empty if no such box is known
   std::vector<Plane> planes_;
 };
 
-/// What was drawn of each surface, by surface.
+/// The surfaces as drawn, with one entry per surface in each list.
 struct DrawnSurfaces
 {
   /// Within the domain, in square model units. Faces that are there twice count twice.

@@ -14,9 +14,9 @@ namespace {
 /// Sums of a surface over all ranks.
 enum SurfaceSum : std::uint8_t
 {
-  wetArea,       ///< of faces on either side
-  zoneArea,      ///< of faces within the mesh
-  sizeTimesArea, ///< of elements at these
+  wetArea,       ///< faces on either side of the surface
+  zoneArea,      ///< faces within the mesh
+  sizeTimesArea, ///< size of the element times area, over both kinds of faces
   surfaceSums
 };
 
@@ -24,21 +24,21 @@ enum SurfaceSum : std::uint8_t
 enum WholeSum : std::uint8_t
 {
   airVolume,
-  topArea, ///< of faces on the domain's top
+  topArea, ///< faces on the domain's top
   wholeSums
 };
 
-/// What the model says of one surface, in square model units.
+/// Areas of one surface in the model, in square model units.
 struct ModelAreas
 {
-  /// What sees air on one side, and on both.
+  /// Areas that see air on one side, and on both.
   double oneSide = 0.0;
   double bothSides = 0.0;
   ViewAreas hidden{};
 };
 
-/// What a part that sees no air counts as: in a room on one side and in a solid on the other it is in the room, and
-/// beside a solid under the ground it is under the ground.
+/// Returns the entry of `areas` that a part without air counts toward. A part between a room and a solid counts as in
+/// the room, and a part between a solid and the ground as under the ground.
 double& hiddenArea(ViewAreas& areas, const TriangleViews& views)
 {
   const auto [less, more] = std::minmax(views[0], views[1]);
@@ -130,7 +130,7 @@ private:
     }
   }
 
-  /// Areas by what sees them; the mesh's area with both sides counted once; the volume enclosed.
+  /// Measures areas by what sees them, the mesh's area with both sides counted once, and the enclosed volume.
   void measureModel(const std::vector<ViewAreas>& unreached)
   {
     const SurfaceModel& model = context.model;
@@ -153,7 +153,7 @@ private:
     }
     const auto& turned = frame.turnedDomain;
     out.volumes.domain = turned ? turned->volume() : size.prod();
-    // Where air does not reach the top, solids do.
+    // Solids reach the top where air does not.
     out.volumes.displacedByModel += out.volumes.domain - top * size[2];
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -179,7 +179,7 @@ private:
     }
     else
     {
-      // Without air behind it, what lies on a side of the domain is the side of a solid, or its base.
+      // A part on a side of the domain that sees no air is the side of a solid, or its base.
       const std::int8_t side = context.model.domainSides[triangle];
       const View beside = side == zMin ? View::ground : View::solid;
       hiddenArea(of.hidden, side == SurfaceModel::noSide ? views[triangle] : TriangleViews{beside, beside}) += area;
@@ -198,7 +198,7 @@ private:
     surface.placedArea = std::accumulate(of.hidden.begin(), of.hidden.end(), airArea);
   }
 
-  /// Heights above the bottom integrate to the volume: upright sides add nothing, and the bottom has none.
+  /// Integrates heights above the bottom to the volume. Upright sides add nothing, and the bottom has none.
   void addVolume(Index triangle, const ConvexRegion::Part& part)
   {
     const auto [front, back] = views[triangle];

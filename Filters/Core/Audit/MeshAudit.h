@@ -9,25 +9,25 @@
 
 namespace atria {
 
-/// What became of one surface. Areas in square model units.
+/// The model's and the mesh's areas of one surface, and the elements there. Areas are in square model units.
 struct SurfaceAudit
 {
-  /// As drawn, within the domain.
+  /// Area as drawn, within the domain.
   double drawnArea = 0.0;
-  /// As drawn, beyond the domain's sides or below its bottom.
+  /// Area as drawn, beyond the domain's sides or below its bottom.
   double outside = 0.0;
-  /// Of the model that is meshed: with terrain that was extended, without what another surface has.
+  /// Area in the model that is meshed, with extended terrain and without faces that another surface keeps.
   double placedArea = 0.0;
-  /// Of the surface's faces; what has elements on both of its sides counts once.
+  /// Area of the surface's faces in the mesh. Faces with elements on both sides count once.
   double meshArea = 0.0;
-  /// Of parts that see no air: on or under the ground, in solids, in closed rooms that are not meshed.
+  /// Areas of parts that see no air: on or under the ground, in solids, in closed rooms that are not meshed.
   double underGround = 0.0;
   double inSolid = 0.0;
   double inRoom = 0.0;
-  /// Of parts that lie upon others, where one is dropped; of small parts that it left out.
+  /// Area of parts that lie upon others, where one is dropped, and of small parts that the repair left out.
   double shared = 0.0;
   double leftOut = 0.0;
-  /// The rest: finer than the mesh.
+  /// The remaining area, which is finer than the mesh.
   double lost = 0.0;
   /// Elements at the surface, in model units: the mean by area, the largest, and the size that was requested.
   double meanSize = 0.0;
@@ -37,40 +37,39 @@ struct SurfaceAudit
   double extent = 0.0;
   SurfaceDistances distances;
 
-  /// Of the area that should be in the mesh; 1 where there is none.
+  /// Returns the part of the area that should be in the mesh and is; 1 if none should.
   double coverage() const;
 };
 
-/// In cubic model units.
+/// Volumes in cubic model units.
 struct VolumeAudit
 {
   double domain = 0.0;
-  /// Of the elements.
+  /// Volume of the elements.
   double air = 0.0;
-  /// The rest of the domain: solids, rooms that are not meshed, and what is under the ground.
+  /// Returns the rest of the domain: solids, rooms that are not meshed, and the space under the ground.
   double displaced() const { return domain - air; }
-  /// The same by the model: enclosed by what sees air on one side.
+  /// The same by the model: the volume enclosed by faces that see air on one side.
   double displacedByModel = 0.0;
 };
 
 struct MeshAudit
 {
-  /// By surface.
+  /// One entry per surface.
   std::vector<SurfaceAudit> surfaces;
   VolumeAudit volumes;
   BodyAudit bodies;
 };
 
-/// Returns the areas, by surface and within the domain, of what was left aside of a model.
+/// Returns the areas within the domain of the parts that were left aside, one entry per surface.
 std::vector<ViewAreas> areasOf(const UnreachedParts& parts, const SurfaceModel& whole, const GridFrame& frame);
 
-/// Measures a mesh along the grid's axes: all but the drawn areas and what follows from them, for which see
-/// finishAudit().
-/// \param seen  Views of all triangles, and samples of the surface or of what a rank has of it.
+/// Measures a mesh along the grid's axes. Drawn areas and all that follows from them are added by finishAudit().
+/// \param seen  Views of all triangles, and samples of the surface or those of this rank.
 /// The result depends neither on threads nor on ranks.
 MeshAudit auditMesh(const DualMesh& mesh, const SeenModel& seen, const MeshShare& share, const MeshingContext& context);
 
-/// Adds what was drawn, and what the repair did with it.
+/// Adds the drawn areas, and the areas that the repair left out or found to be shared.
 void finishAudit(const DrawnSurfaces& drawn, const SurfaceRepairReport& repair, MeshAudit& audit);
 
 /// Puts the audit's places along the model's axes.

@@ -11,7 +11,7 @@ namespace atria {
 
 namespace {
 
-/// Of the elements there: what a surface is nearer to its faces counts as on them.
+/// Distance, in local element sizes, up to which a surface counts as lying on its faces.
 constexpr double nearRatio = 0.1;
 
 struct Measured
@@ -47,8 +47,8 @@ public:
   {
   }
 
-  /// The distance to the nearest place on one surface, in model units; infinite where the tree has nothing of it, and 0
-  /// for a place that is on it as far as rounding goes.
+  /// Returns the distance to the nearest place on one surface, in model units. It is infinite if the tree has no
+  /// triangle of the surface, and 0 for a place on the surface within rounding.
   double distanceTo(Index surface, const Vec3& at, double size)
   {
     const Vec3 p = (at - frame.origin) / unit;
@@ -75,8 +75,8 @@ public:
   }
 
 private:
-  static constexpr double rounding = 1e-6; ///< of an element
-  /// Of how far a surface is searched for next: what lies nearer on others is passed over, one by one.
+  static constexpr double rounding = 1e-6; ///< in element sizes
+  /// Factor by which the search radius grows. Nearer places on other surfaces are skipped one by one.
   static constexpr double reachGrowth = 4.0;
 
   const TriangleTree& tree;
@@ -132,7 +132,7 @@ public:
 private:
   float sizeOf(std::size_t face) const { return static_cast<float>(frame.sizeOf(mesh.levels[faces.elements[face]])); }
 
-  /// The first face of each point measures it; others measure their middle alone.
+  /// The first face of each point measures that point; all others measure only their middle.
   void measureFaces()
   {
     std::vector<Index> firstFace(mesh.points.size(), noIndex);
@@ -188,7 +188,7 @@ private:
     }
   }
 
-  /// The faces as a model, to be searched.
+  /// Returns the faces as a model, to be searched.
   SurfaceModel surfaceOfFaces() const
   {
     SurfaceModel made;

@@ -10,7 +10,7 @@ namespace atria {
 /// The place farthest from what it should lie on.
 struct FarthestPlace
 {
-  /// In model units, and over the size of the elements there.
+  /// Distance in model units, and in sizes of the elements there.
   double distance = 0.0;
   double inElements = 0.0;
   /// Along the grid's axes until the mesh is placed in the model.
@@ -19,15 +19,15 @@ struct FarthestPlace
 
 struct SurfaceDistances
 {
-  /// From corners and middles of the surface's faces to the surface.
+  /// Farthest place from the surface among corners and middles of its faces.
   FarthestPlace ofFaces;
-  /// From places of the surface to the nearest of its faces; 0 below a tenth of an element. A surface without faces has
-  /// none.
+  /// Farthest place of the surface from the nearest of its faces; 0 below a tenth of an element. A surface without
+  /// faces has none.
   FarthestPlace ofSurface;
 };
 
-/// Returns distances by surface, the largest over the local size of elements. Along the grid's axes.
-/// \param samples  Of all of the surface, or what a rank has of it.
+/// Returns one entry per surface: the distances that are largest over the local element size, along the grid's axes.
+/// \param samples  All samples of the surfaces, or those of this rank.
 /// The result depends neither on threads nor on ranks. O(faces · log (triangles + faces)).
 std::vector<SurfaceDistances> measureDistances(const DualMesh& mesh, const std::vector<SurfaceSample>& samples,
                                                const MeshShare& share, const MeshingContext& context);

@@ -7,7 +7,7 @@
 
 namespace atria {
 
-/// Areas of parts that see no air, by View, in square model units.
+/// Areas of parts that see no air, one entry per View, in square model units.
 using ViewAreas = std::array<double, viewCount>;
 
 /// A place on a surface.
@@ -16,23 +16,23 @@ struct SurfaceSample
   /// Along the grid's axes, in model units.
   Vec3 at;
   Index surface;
-  /// Length of the grid's edge it was taken on, in model units.
+  /// Length of the grid edge that found the place, in model units.
   float size;
 };
 
-/// What the air sees of a model, as an audit of the mesh needs it.
+/// The parts of a model that air sees, as an audit of the mesh needs them.
 struct SeenModel
 {
-  std::vector<TriangleViews> views; ///< by triangle
-  std::vector<float> airParts = {}; ///< by triangle; all of it where this is empty. See findAirParts()
+  std::vector<TriangleViews> views; ///< one entry per triangle
+  std::vector<float> airParts = {}; ///< one entry per triangle, or empty if air sees all of each. See findAirParts()
   std::vector<SurfaceSample> samples;
-  /// By surface, what was left aside as no air reaches it; see UnreachedParts.
+  /// One entry per surface: areas left aside because no air reaches them; see UnreachedParts.
   std::vector<ViewAreas> unreached = {};
 };
 
-/// Returns a place on each surface for each edge of the grid that leads to it from air past no other wall, in the order
-/// of edges: the mesh has a face there. None are about leaves that are clusters.
-/// \param share  Whose edges. \param ofZone  By zone of `zones`. O(crossings).
+/// Returns a place on each surface for each grid edge that leads to it from air past no other wall, in the order of
+/// edges. The mesh has a face there. Edges around leaves that are clusters give none.
+/// \param share  The edges of this rank. \param ofZone  One entry per zone of `zones`. O(crossings).
 std::vector<SurfaceSample> sampleSurfaces(const Crossings& crossings, const Zones& zones,
                                           const std::vector<View>& ofZone, const ViewShare& share,
                                           const MeshingContext& context);

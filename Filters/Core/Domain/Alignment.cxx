@@ -15,13 +15,13 @@ namespace {
 
 struct Wall
 {
-  double angle; ///< of the normal, modulo 90 degrees
+  double angle; ///< direction of the normal, modulo 90 degrees
   double area;
 };
 
 constexpr double quarter = 90.0;
 
-/// Modulo a quarter turn, in [-45, 45).
+/// Returns the angle modulo a quarter turn, in [-45, 45).
 double folded(double degrees)
 {
   const double rest = degrees - quarter * std::floor(degrees / quarter + 0.5);
@@ -45,7 +45,7 @@ std::vector<Wall> wallsOf(const TriangleSurface& surface)
   return walls;
 }
 
-/// Middle of the bin of a quarter degree that, with its neighbors, has the most area.
+/// Returns the middle of the bin of a quarter degree that, with its neighbors, has the most area.
 double peakOf(const std::vector<Wall>& walls)
 {
   constexpr int bins = 360;
@@ -61,7 +61,7 @@ double peakOf(const std::vector<Wall>& walls)
   for (int bin = 0; bin < bins; ++bin)
   {
     const double around = at(bin - 1) + 2.0 * at(bin) + at(bin + 1);
-    // Among equals the one next to the axes, which come first.
+    // The direction next to the axes, which comes first, wins among equals.
     if (around > most * (1.0 + 1e-9))
     {
       most = around;
@@ -81,7 +81,7 @@ double dominantWallAngle(const TriangleSurface& surface)
     return 0.0;
   }
   const double peak = peakOf(walls);
-  constexpr double reach = 0.5; // degrees: what is as drawn by hand, and no other direction of walls
+  constexpr double reach = 0.5; // degrees: scatter of hand-drawn walls, less than another direction of walls
   double total = 0.0;
   for (Wall& wall : walls)
   {

@@ -35,7 +35,7 @@ std::vector<Box3> placesOfBodies(const TriangleSurface& surface, const std::vect
   return boxes;
 }
 
-/// The points are more than `margin` within all sides.
+/// Returns true if p is more than `margin` inside of all sides.
 bool isInside(const std::vector<Vec2>& corners, const Vec2& p, double margin)
 {
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -108,7 +108,7 @@ BaseSupport SupportSearch::find(Index number, double ground) const
   return !isLowest || isBesideOther(base.body, base.low, ground) ? BaseSupport::beside : BaseSupport::none;
 }
 
-/// Cellars, which end at the ground, hold nothing up.
+/// Returns true if the other body may hold the base up. Cellars, which end at the ground, hold nothing up.
 bool SupportSearch::mayHold(Index other, const BodyBase& base, double ground) const
 {
   return other != base.body && bodies.boxes[other].min[2] < base.low - tolerance &&
@@ -117,9 +117,9 @@ bool SupportSearch::mayHold(Index other, const BodyBase& base, double ground) co
 
 bool SupportSearch::hasBodyBelow(const BodyBase& base, double ground) const
 {
-  constexpr double leastPart = 0.05; // of the base
+  constexpr double leastPart = 0.05; // a part of the base's area
   std::vector<PlumbHit> hits;
-  // As the shell of a room is within that of its house.
+  // The shell of a room, for example, is within that of its house.
   const auto isWithinOther = [&](const Vec3& p) {
     return std::ranges::any_of(hits, [&](const PlumbHit& one) {
       const Index other = bodies.ofTriangle[one.triangle];
@@ -170,7 +170,7 @@ bool SupportSearch::hasPointsBelow(Index number, double ground) const
   return found;
 }
 
-/// Not at its border, where neighbors stand.
+/// Returns true if p is under the base, but not at its border, where neighbors stand.
 bool SupportSearch::isWithin(Index number, const Vec3& p) const
 {
   const double margin = std::max(10.0 * tolerance, reach);

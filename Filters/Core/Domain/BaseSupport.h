@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What holds bodies up besides the ground.
+/// Finds what holds bodies up besides the ground.
 #pragma once
 
 #include "Domain/ModelBodies.h"
@@ -26,7 +26,7 @@ enum class BaseSupport : std::uint8_t
   below   ///< another body lies between the base and the ground, or around the base
 };
 
-/// Bodies by place.
+/// Searches bodies by their place.
 class SupportSearch
 {
 public:
@@ -36,7 +36,7 @@ public:
 
   /// `base` is the number of a base, and `ground` the height of the lowest ground below it.
   BaseSupport find(Index base, double ground) const;
-  /// Whether a body touches one that reaches as low as `low`, or lower.
+  /// True if the body touches another one that reaches down to `low` or lower and rises above `ground`.
   bool isBesideOther(Index body, double low, double ground) const;
 
 private:

@@ -11,16 +11,16 @@ namespace atria {
 
 namespace {
 
-/// In meters: what is higher one can walk below, and it may be drawn on purpose.
+/// Height in meters above which one can walk below a part. Such a gap may be drawn on purpose.
 constexpr double passageHeight = 2.0;
-/// How many times as wide as high a space below a part of a body is that no air passes.
+/// Ratio of width to height from which on no air passes through a space below a part of a body.
 constexpr double leastWidth = 2.0;
-/// The part of its outline that a body stands on.
+/// The least part of its outline that a body stands on.
 constexpr double broadPart = 0.5;
-/// The part of its height by which a body hovers that may be meant to stand.
+/// Gap, as a part of its height, up to which a hovering body may be meant to stand.
 constexpr double doubtfulRatio = 0.25;
 
-/// How a base is above the ground.
+/// Distances from the ground up to a base, and the height of the lowest ground below it.
 struct Gap
 {
   double least = 0.0;
@@ -55,7 +55,7 @@ public:
     collect();
     for (Index body = 0; body < states.size(); ++body)
     {
-      // What is smaller is left out of the mesh, and what is flat is no body.
+      // Smaller bodies are left out of the mesh, and flat ones are no bodies.
       if (bodies.boxes[body].size().norm() >= options.sizeMin && bodies.height(body) > options.tolerance)
       {
         states[body].bases.empty() ? judgeWithoutBase(body) : judge(body);
@@ -115,7 +115,8 @@ private:
     return gap;
   }
 
-  /// Whether the bases that are near the ground are as wide as the body, not its lowest places alone.
+  /// True if the hull of all bases near the ground is at least half as large as that of the body, both seen from above.
+  /// A body's lowest places alone do not make it stand.
   bool isBroad(Index body, const std::vector<Gap>& gaps) const
   {
     const double most = std::max(options.ratio, doubtfulRatio);
@@ -249,7 +250,7 @@ private:
     }
   }
 
-  /// By its lowest base.
+  /// Returns the surface of the body's lowest base.
   std::string nameOf(const BodyState& state) const
   {
     const auto lowest = std::ranges::min_element(state.bases, {}, [&](Index base) { return bases[base].low; });

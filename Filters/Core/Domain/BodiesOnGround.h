@@ -11,17 +11,17 @@ struct SnapOptions
 {
   double sizeMin = 1.0;
   double tolerance = 1e-3;
-  /// As SiteOptions::groundSnapRatio; 0 where the ground is given.
+  /// Same as SiteOptions::groundSnapRatio; 0 if the height of the ground is given.
   double ratio = 0.0;
-  /// By surface; empty for none.
+  /// One entry per surface: nonzero if its bodies stay as drawn. Empty for none.
   SurfaceFlags asDrawn;
 };
 
-/// How the bodies of a model stand, and how much lower the points of some are to be.
+/// Report on the bodies of a model, and the heights to which points of some are lowered.
 struct StandingBodies
 {
   GroundReport report; ///< lists and counts, without texts
-  /// By place; not a number for those that stay.
+  /// One height per place; not a number for places that stay.
   std::vector<double> heights;
 };
 
@@ -30,7 +30,7 @@ StandingBodies standOnGround(const TriangleSurface& surface, const ModelBodies& 
                              const std::vector<BodyBase>& bases, const SupportSearch& supports,
                              const GroundBelow& ground, const SnapOptions& options);
 
-/// Moves points to the heights of their places, in triangles of bodies alone: the ground stays as it is.
+/// Moves points to the heights of their places, but only in triangles of bodies: the ground stays as it is.
 void lowerPlaces(TriangleSurface& surface, const ModelBodies& bodies, const std::vector<double>& heights);
 
 } // namespace atria

@@ -18,14 +18,14 @@ using Polygon = std::vector<Vec3>;
 
 double planeOf(const Box3& box, int side) { return isUpper(side) ? box.max[axisOf(side)] : box.min[axisOf(side)]; }
 
-/// How far a point lies within a side; negative beyond it.
+/// Returns the distance of a point from a side, inward; negative beyond the side.
 double distanceWithin(const Vec3& p, const Box3& box, int side)
 {
   return isUpper(side) ? planeOf(box, side) - p[axisOf(side)] : p[axisOf(side)] - planeOf(box, side);
 }
 
-/// The part of a polygon where `within` is not negative, which is linear (Sutherland and Hodgman). `onto` puts points
-/// where edges are cut exactly on the border.
+/// Returns the part of a polygon where the linear function `within` is not negative (Sutherland and Hodgman). `onto`
+/// puts points where edges are cut exactly on the border.
 template <typename Within, typename Onto>
 Polygon partWithin(const Polygon& polygon, const Within& within, const Onto& onto)
 {
@@ -63,7 +63,7 @@ Polygon cutAt(const Polygon& polygon, const PrismSide& side)
       [&](Vec3& p) { p.head<2>() = side.foot(p.head<2>()); });
 }
 
-/// Twice the area vector.
+/// Returns twice the area vector.
 Vec3 normalOf(const Polygon& polygon)
 {
   Vec3 normal = Vec3::Zero();
@@ -74,12 +74,12 @@ Vec3 normalOf(const Polygon& polygon)
   return normal;
 }
 
-/// How the faces of one surface meet the sides, as bits by Direction.
+/// Contacts of one surface's faces with the sides, as bits by Direction.
 struct Meeting
 {
-  unsigned reached = 0; ///< by any face
+  unsigned reached = 0; ///< sides that any face comes near to
   unsigned cut = 0;
-  unsigned blocked = 0; ///< by faces that are not square to the side
+  unsigned blocked = 0; ///< sides near faces that are not square to them
 };
 
 class ContactSearch
@@ -110,7 +110,7 @@ public:
   }
 
 private:
-  /// A triangle along the domain's axes, with what lies as good as on a side put on it.
+  /// Returns the triangle's corners along the domain's axes. Coordinates within tolerance of a side are put on it.
   Polygon cornersOf(std::size_t triangle) const
   {
     Polygon corners;
@@ -127,7 +127,7 @@ private:
     return corners;
   }
 
-  /// Of most triangles nothing but that they are there, away from all sides.
+  /// Returns true if a triangle lies away from all sides, as most do. Notes of it only that it is there.
   bool isInside(std::size_t triangle)
   {
     const auto& t = surface.triangles[triangle];
@@ -192,7 +192,7 @@ private:
     }
   }
 
-  /// Notes a face that goes on beyond sides, in front of them.
+  /// Notes the sides beyond which a face goes on, in front of them.
   void lookBeyond(const Box3& bounds)
   {
     std::array<bool, 3> overlaps;
@@ -266,7 +266,7 @@ private:
     }
     if (!out.cut[side].empty())
     {
-      out.touching[side].clear(); // it is too near anyhow
+      out.touching[side].clear(); // surfaces that are cut are too near anyhow
     }
   }
 
@@ -275,13 +275,13 @@ private:
   Box3 box;
   double onSide;
   double near;
-  double leastArea; ///< twice of what counts as a face
+  double leastArea; ///< twice the least area of a face
   std::vector<Meeting> meetings;
-  /// By side: whether there are faces of buildings beyond it, in front of it.
+  /// One entry per side: true if buildings have faces beyond it, in front of it.
   std::array<bool, 6> goesOn{};
-  /// Of buildings over or under the domain.
+  /// Bounds of buildings over, in or under the domain.
   Box3 buildings;
-  /// Of faces of buildings that lie in each side.
+  /// Area of faces of buildings in each side.
   std::array<double, 6> areas{};
   DomainContacts out;
 };
@@ -297,7 +297,7 @@ std::string textOf(const Box3& box)
   return text.str();
 }
 
-/// Such as "'Roof', 'Wall' and 3 more"; empty without any.
+/// Returns text such as "'Roof', 'Wall' and 3 more"; empty without any.
 std::string textOf(const std::vector<Index>& ids, const std::vector<std::string>& names)
 {
   constexpr std::size_t most = 4;
@@ -326,7 +326,7 @@ std::vector<AtSide> namedSides(const std::array<std::vector<Index>, 6>& bySide)
   return named;
 }
 
-/// Such as "zMax ('Roof', 'Wall' and 3 more) and xMin ('Wall')"; empty without any.
+/// Returns text such as "zMax ('Roof', 'Wall' and 3 more) and xMin ('Wall')"; empty without any.
 std::string textOf(const std::vector<AtSide>& sides, const std::vector<std::string>& names)
 {
   constexpr std::size_t most = 6;
@@ -351,7 +351,7 @@ std::string textOf(const std::vector<AtSide>& sides, const std::vector<std::stri
   return text;
 }
 
-/// Whether a side has a polygon's part that is within all others on both of its sides.
+/// True if the part of a polygon that is within all other sides lies on both sides of this one.
 bool cuts(const PrismSide& side, Polygon polygon, const PlacedPrism& domain, double tolerance)
 {
   for (const PrismSide& other : domain.sides())
@@ -363,7 +363,8 @@ bool cuts(const PrismSide& side, Polygon polygon, const PlacedPrism& domain, dou
          std::ranges::any_of(polygon, [&](const Vec3& p) { return beyond(p) > tolerance; });
 }
 
-/// Surfaces of buildings with faces on both sides of the upright sides of a prism, between its bottom and its top.
+/// Returns the surfaces of buildings with faces on both sides of the upright sides of a prism, between its bottom and
+/// its top.
 std::vector<AtSide> cutByPrism(const TriangleSurface& surface, const SitePlan& plan, double tolerance)
 {
   std::vector<std::vector<char>> isCut(plan.domain.sides().size(), std::vector<char>(surface.names.size(), 0));
@@ -401,7 +402,7 @@ std::vector<AtSide> cutByPrism(const TriangleSurface& surface, const SitePlan& p
   return found;
 }
 
-/// What the domain's sides cut; of a prism that is no box its own upright sides.
+/// Returns text on the surfaces that the domain's sides cut. A prism that is no box is tested by its own upright sides.
 std::string textOfCuts(const TriangleSurface& surface, const SitePlan& plan, const DomainContacts& contacts,
                        double tolerance)
 {
@@ -421,7 +422,7 @@ constexpr const char* otherDomains =
 
 void refuseEmpty(const TriangleSurface& surface, const SitePlan& plan)
 {
-  areaOf(surface); // throws where there is none
+  areaOf(surface); // throws if there is no area
   const bool turned = plan.domain.axes.angle() != 0.0;
   throw Error("the domain holds nothing of the model: it reaches " + textOf(plan.domain.bounds) + ", the model " +
               textOf(boundsOf(surface, plan.domain.axes)) + (turned ? ", along the domain's axes" : "") +

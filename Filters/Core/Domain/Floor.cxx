@@ -7,9 +7,11 @@ namespace atria {
 
 namespace {
 
-/// What lies below the floor is lost, and what is above it is let down.
+/// Cost of a meter of depth below the floor, against 1 for a meter of height above it. Parts below the floor are lost,
+/// but parts above it are let down.
 constexpr double costOfDepth = 3.0;
-/// Part of its height from which on a body hovers, and does not stand on a floor of its own.
+/// Distance from the floor, as a part of the height of the model over a face, above which the face hovers instead of
+/// standing on a floor of its own.
 constexpr double hoverRatio = 0.25;
 
 double costOf(const std::vector<LowestFace>& faces, double floor)

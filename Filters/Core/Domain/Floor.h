@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The height of the ground where no surface is ground.
+/// Finds the height of the ground if no surface is ground.
 #pragma once
 
 #include "Domain/ModelBodies.h"
 
 namespace atria {
 
-/// The height at which most of a model stands, by the faces that it has nothing below: the least costly of their
-/// heights (see groundModel), of several the lowest. `lowestPoint` where no face has anything above it.
+/// Returns the height at which most of a model stands, by the faces that have nothing below them. It is the least
+/// costly of their heights (see groundModel), and the lowest of several such heights. Returns `lowestPoint` if no face
+/// has anything above it.
 double findFloor(const std::vector<LowestFace>& faces, double lowestPoint);
 
 } // namespace atria

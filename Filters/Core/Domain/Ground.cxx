@@ -8,7 +8,7 @@ namespace atria {
 
 namespace {
 
-/// Height of a triangle over a place; not a number beside it.
+/// Returns the height of a triangle over a place; not a number beside it.
 double heightIn(const Vec3& a, const Vec3& b, const Vec3& c, double x, double y)
 {
   const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Answers how high the ground is below a place.
 #pragma once
 
 #include "Surface/Triangles/TriangleSurface.h"
 
 namespace atria {
 
-/// Which surfaces, by id, are ground: terrain, or the site.
+/// One flag per surface: nonzero if it is ground, that is terrain or the site.
 using SurfaceFlags = std::vector<char>;
 
-/// Height of the ground below a place: of the highest of its triangles over that place, and beside the ground of its
-/// nearest point. Without ground, a level plane.
+/// Height of the ground below a place. It is that of the highest ground triangle over the place. Beside the ground it
+/// is that of the nearest point of the ground, and without ground that of a level plane.
 class Ground
 {
 public:
-  /// `level` is the height where there are no triangles of ground. Keeps a reference to the surface.
+  /// `level` is the height if there are no triangles of ground. Keeps a reference to the surface.
   Ground(const TriangleSurface& surface, const SurfaceFlags& isGround, double level);
 
   double heightAt(double x, double y) const;
   bool empty() const { return triangles.empty(); }
-  /// Of the ground's triangles; empty without.
+  /// Bounds of the ground's triangles; empty without any.
   const Box3& bounds() const { return box; }
 
 private:
@@ -28,7 +29,7 @@ private:
   double level;
   Box3 box;
   std::vector<Index> triangles;
-  std::size_t bins = 1; ///< a side
+  std::size_t bins = 1; ///< number along each side
   std::vector<std::vector<Index>> inBin;
 };
 

@@ -22,7 +22,7 @@ std::string countOf(std::size_t count, const char* one, const char* many)
   return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
-/// Such as "'A' by 0.4 m, 'B' by 1.8 m and 3 more".
+/// Returns text such as "'A' by 0.4 m, 'B' by 1.8 m and 3 more".
 std::string listOf(const std::vector<BodyAtGround>& bodies)
 {
   constexpr std::size_t most = 6;

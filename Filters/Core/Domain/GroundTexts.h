@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a user is told of bodies and the ground.
+/// Writes the texts about bodies and the ground for the user.
 #pragma once
 
 #include "Domain/GroundReport.h"
@@ -9,12 +9,12 @@ namespace atria {
 struct GroundTextOptions
 {
   double sizeMin = 1.0;
-  /// The height of the ground is given, so that no body is moved.
+  /// True if the height of the ground is given, so that no body is moved.
   bool isGiven = false;
   bool hasTerrain = false;
 };
 
-/// Adds warnings and notes that follow from the report's lists.
+/// Adds the warnings and notes that follow from the report's lists.
 void addTexts(GroundReport& report, const GroundTextOptions& options);
 
 } // namespace atria

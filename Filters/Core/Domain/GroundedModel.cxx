@@ -16,7 +16,7 @@ namespace atria {
 
 namespace {
 
-/// Bodies this near touch, in octants.
+/// Distance in octants up to which bodies touch.
 constexpr double touchRatio = 0.05;
 
 std::vector<Index> trianglesOf(const ModelBodies& bodies)
@@ -32,7 +32,7 @@ std::vector<Index> trianglesOf(const ModelBodies& bodies)
   return triangles;
 }
 
-/// The lowest faces but those of bases that other bodies hold up, as posts do.
+/// Returns the lowest faces, without those of bases that other bodies hold up, as posts do.
 std::vector<LowestFace> facesThatStand(const BodyBases& found, const SupportSearch& supports)
 {
   constexpr double anyDepth = -std::numeric_limits<double>::infinity();
@@ -48,7 +48,8 @@ std::vector<LowestFace> facesThatStand(const BodyBases& found, const SupportSear
 
 bool isAny(const SurfaceFlags& flags) { return std::ranges::find(flags, 1) != flags.end(); }
 
-/// Ground surfaces as the options say, or else a slab; of solids the upper side.
+/// Returns the plan with the ground surfaces of the options, or else with a slab. Keeps only the upper side of ground
+/// that is solid.
 SitePlan prepareGround(GroundedModel& model, double sizeMin)
 {
   const double tolerance = coincidentRatio * sizeMin;
@@ -100,7 +101,7 @@ GroundedModel groundModel(const TriangleSurface& surface, const SiteOptions& opt
   else if (!below.useSurface)
   {
     out.site.floor = below.floor = findFloor(facesThatStand(found, supports), buildings.min[2]);
-    // That of octants which are given may be another.
+    // The floor of given octants may be a different one.
     isGiven = rules.bottom && std::abs(*rules.bottom - *below.floor) > tolerance;
     below.floor = isGiven ? rules.bottom : below.floor;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The ground of a model, and its bodies on it.
+/// Finds the ground of a model and lets bodies stand on it.
 #pragma once
 
 #include "Domain/GroundReport.h"
@@ -9,15 +9,15 @@ namespace atria {
 
 struct GroundRules
 {
-  /// Edge length of octants at features, by which films of air are thin.
+  /// Edge length of octants at features, the scale by which films of air are thin.
   double sizeMin = 1.0;
-  /// Bottom of a domain that is given, if it is.
+  /// Bottom of the domain, if one is given.
   std::optional<double> bottom;
-  /// Surfaces, by id, whose bodies stay as drawn, such as zones of cells; empty for none.
+  /// One flag per surface: nonzero if its bodies stay as drawn, such as zones of cells. Empty for none.
   SurfaceFlags asDrawn;
 };
 
-/// What takes the place of the surface and of the options in planSite() and placeModel().
+/// Surface and options to use in planSite() and placeModel() instead of the original ones.
 struct GroundedModel
 {
   TriangleSurface surface;
@@ -25,18 +25,18 @@ struct GroundedModel
   GroundReport report;
 };
 
-/// Finds the ground and has bodies stand on it.
+/// Returns the model with its bodies let down to the ground.
 ///
-/// Of closed ground surfaces, such as slabs, the upper side alone stays. Where no surface is ground, a wide slab below
-/// all else is (see findGroundSlab), or else a level floor, at the height at which most of the model stands: the one
-/// that is least costly if each square meter of the lowest faces costs its distance above the floor, up to a part of
-/// its height, and thrice its depth below it.
+/// Closed ground surfaces, such as slabs, keep only their upper side. If no surface is ground, a wide slab below all
+/// else is (see findGroundSlab), or else a level floor at the height at which most of the model stands. The floor is
+/// the least costly height: each square meter of the lowest faces costs its distance above the floor, or the whole
+/// height of the model over it if it hovers, and three times its depth below the floor.
 ///
-/// Bodies with nothing but air between their bases and the ground are let down: the points of their bases are moved to
-/// the ground, and below terrain by `sizeMin`, where the gap is at most `groundSnapRatio` of their height. Bases beside
+/// Bodies with nothing but air between their bases and the ground are let down if the gap is at most `groundSnapRatio`
+/// of their height. The points of their bases are moved to the ground, and below terrain by `sizeMin`. Bases beside
 /// lower parts of the model, which may hang there on purpose, are let down if the gap is also less than a passage, and
-/// less than half as high as wide. In mode `bounds` the floor is the one given, and nothing is moved; in mode
-/// `surfaces`, for rooms, nothing is done.
+/// less than half as high as wide. Mode `bounds` takes the given floor and moves nothing. Mode `surfaces`, for rooms,
+/// does nothing.
 GroundedModel groundModel(const TriangleSurface& surface, const SiteOptions& options, const GroundRules& rules);
 
 } // namespace atria

@@ -17,15 +17,15 @@ namespace atria {
 
 namespace {
 
-/// Cosine of the slope up to which faces are a bottom: some 25 degrees. Of a ball or a lying cylinder it is less than
-/// half of the outline.
+/// Cosine of the slope up to which faces are a bottom: some 25 degrees. On a ball or a lying cylinder such faces cover
+/// less than half of the outline.
 constexpr double levelCosine = 0.9;
-/// Walls are steeper: some 63 degrees.
+/// Cosine of the slope from which on faces are walls: some 63 degrees.
 constexpr double uprightCosine = 0.45;
-/// The part of a body's height in which it may have bases.
+/// The part of a body's height, from below, in which it may have bases.
 constexpr double lowerPart = 0.5;
 
-/// Twice its area.
+/// Returns twice the triangle's area vector.
 Vec3 areaOf(const TriangleSurface& surface, std::size_t triangle)
 {
   const auto& [a, b, c] = surface.triangles[triangle];
@@ -37,7 +37,7 @@ double cross(const Vec2& o, const Vec2& a, const Vec2& b)
   return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
 }
 
-/// Counterclockwise (Andrew 1979).
+/// Returns the hull counterclockwise (Andrew 1979).
 std::vector<Vec2> convexHull(std::vector<Vec2> points)
 {
   const auto less = [](const Vec2& l, const Vec2& r) { return std::pair(l[0], l[1]) < std::pair(r[0], r[1]); };
@@ -257,7 +257,7 @@ private:
     }
   }
 
-  /// The lower end of a wall that slopes less than the wall itself.
+  /// Adds the lower end of a wall if it slopes less than the wall itself.
   void lookAtRim(const FreeEdge& edge)
   {
     const Index body = bodies.ofTriangle[edge.triangle];
@@ -290,7 +290,7 @@ private:
 
   void collect()
   {
-    std::map<Index, Index> numbers; // by set
+    std::map<Index, Index> numbers; // base number per set
     std::vector<std::map<Index, double>> areas;
     for (const auto& [place, triangle] : elements)
     {
@@ -371,7 +371,7 @@ private:
   double leastSize;
   double tolerance;
   UnionFind sets;
-  std::vector<char> isBase; ///< by place
+  std::vector<char> isBase; ///< one entry per place
   std::vector<Element> elements;
   std::vector<Bottom> bottoms;
   std::map<Index, double> topOf;

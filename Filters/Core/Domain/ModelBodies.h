@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The connected parts of a model, and what they stand on.
+/// Finds the connected parts of a model and what they stand on.
 #pragma once
 
 #include "Domain/Ground.h"
@@ -8,22 +8,22 @@
 
 namespace atria {
 
-/// Triangles connected by common points are a body.
+/// The bodies of a model. A body is a set of triangles connected by common points.
 struct ModelBodies
 {
-  /// By point the first point in the same place.
+  /// One entry per point: the first point in the same place.
   std::vector<Index> placeOf;
-  /// By triangle; noIndex where its surface belongs to none.
+  /// One entry per triangle: its body, or noIndex if its surface belongs to none.
   std::vector<Index> ofTriangle;
   std::vector<Box3> boxes;
 
   double height(Index body) const { return boxes[body].size()[2]; }
 };
 
-/// Bodies of the surfaces that are not left out, numbered by their first triangles. O(n).
+/// Returns the bodies of the surfaces that are not left out, numbered by their first triangles. O(n).
 ModelBodies findBodies(const TriangleSurface& surface, const SurfaceFlags& leftOut);
 
-/// An edge, between places, that one triangle alone of its body uses.
+/// An edge between places that only one triangle of its body uses.
 struct FreeEdge
 {
   Index a;
@@ -31,10 +31,10 @@ struct FreeEdge
   Index triangle;
 };
 
-/// In the order of places. O(n log n).
+/// Returns the free edges in the order of places. O(n log n).
 std::vector<FreeEdge> findFreeEdges(const TriangleSurface& surface, const ModelBodies& bodies);
 
-/// What a convex outline encloses.
+/// A convex outline with its measures.
 struct Outline2
 {
   double area = 0.0;
@@ -43,14 +43,14 @@ struct Outline2
   std::vector<Vec2> corners; ///< counterclockwise
 };
 
-/// Of the convex hull of points as seen from above.
+/// Returns the convex hull of points as seen from above.
 Outline2 hullOf(std::vector<Vec2> points);
 
 /// Connected faces that look down with a body above them, or the lower ends of walls that stand on nothing.
 struct BodyBase
 {
   Index body = noIndex;
-  Index surface = noIndex;      ///< that has most of it
+  Index surface = noIndex;      ///< the surface that has most of it
   std::vector<Index> places;    ///< sorted
   std::vector<Index> triangles; ///< none of a body without a bottom
   double low = 0.0;
@@ -66,13 +66,13 @@ struct LowestFace
   double height;
   double area;          ///< as seen from above
   double rise = 0.0;    ///< to the highest point of the model over it
-  Index base = noIndex; ///< that it is part of
+  Index base = noIndex; ///< the base it is part of
 };
 
 struct BodyBases
 {
   std::vector<BodyBase> bases;
-  /// What the model as a whole stands on: faces, and bases without faces.
+  /// Faces that the model as a whole stands on, and bases without faces.
   std::vector<LowestFace> lowest;
 };
 

@@ -48,7 +48,7 @@ PlacedBox boundsOfDomain(const TriangleSurface& surface, const SiteOptions& opti
   }
 }
 
-/// The sides are given; the mode says where bottom and top are.
+/// Returns the prism with the given sides. The mode says where bottom and top are.
 PlacedPrism prismOfPolygon(const TriangleSurface& surface, const SiteOptions& options, SitePlan& plan)
 {
   if (options.domainAngle != 0.0)
@@ -65,7 +65,8 @@ PlacedPrism prismOfPolygon(const TriangleSurface& surface, const SiteOptions& op
   return {Placement(), options.polygon, bounds.min[2], bounds.max[2]};
 }
 
-/// The axes nearest to the domain's that quarter turns make of an angle, so that the domain's sides keep their names.
+/// Returns the axes at the angle plus quarter turns that are nearest to the domain's, so that the domain's sides keep
+/// their names.
 Placement gridAxes(const TriangleSurface& surface, GridAlignment alignment, const PlacedBox& domain, double sizeMin)
 {
   if (alignment == GridAlignment::domain)
@@ -88,7 +89,7 @@ void turnAll(TriangleSurface& surface, const Placement& axes)
   }
 }
 
-/// Ground that is not level and covers so much of the model's rectangle that the rest may follow from it.
+/// True if the ground is not level and covers so much of the model's rectangle that the rest may follow from it.
 bool isTerrain(const TriangleSurface& surface, const SurfaceFlags& isGround, double sizeMin)
 {
   constexpr double leastCover = 0.5;
@@ -106,7 +107,8 @@ bool isTerrain(const TriangleSurface& surface, const SurfaceFlags& isGround, dou
          area >= leastCover * size[0] * size[1];
 }
 
-/// Terrain, turn and sides, in this order; all but the frame.
+/// Turns the model to the domain's axes, extends the terrain, cuts the model to the sides and turns it to the grid.
+/// Sets all but the frame.
 PlacedModel inGrid(const TriangleSurface& surface, const SitePlan& plan, const GridOptions& sizes)
 {
   PlacedModel out;
@@ -214,7 +216,7 @@ PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, con
   upright.domain = plan.domain.bounds;
   try
   {
-    makeGridFrame(upright, {}); // checks
+    makeGridFrame(upright, {}); // throws if the options are invalid
   }
   catch (const Error& error)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// From the model as read to the model in the grid: domain, terrain, alignment.
+/// Places a model as read in the grid: domain, terrain, alignment.
 #pragma once
 
 #include "Domain/Terrain.h"
@@ -19,7 +19,7 @@ enum class DomainMode : std::uint8_t
   automatic ///< from the buildings' height; see WindDomain.h
 };
 
-/// What the grid stands along.
+/// Axes along which the grid stands.
 enum class GridAlignment : std::uint8_t
 {
   axes,  ///< the model's
@@ -35,27 +35,28 @@ struct SiteOptions
   /// Upright sides of the domain: 4 of a box, else of a polygon that fills the bounds (see PlacedPrism). In mode
   /// `automatic` of other than 4 it serves wind from all around (see WindDomain.h).
   int domainSides = 4;
-  /// Corners of the domain seen from above, in the model's x and y; see PlacedPrism. Where there are some the mode says
+  /// Corners of the domain seen from above, in the model's x and y; see PlacedPrism. If there are any, the mode says
   /// only where bottom and top are, and the domain has neither other sides nor an angle.
   std::vector<Vec2> polygon;
-  /// Degrees by which the domain stands turned (see Placement): given bounds about their middle; from surfaces and site
-  /// it is the smallest box along the turned axes. Not in mode `automatic`.
+  /// Angle of the domain in degrees (see Placement). Given bounds are turned around their middle. A domain from
+  /// surfaces or site is the smallest box along the turned axes. Not in mode `automatic`.
   double domainAngle = 0.0;
   /// Direction in which the wind blows, in mode `automatic`; see Placement.
   double windAngle = 0.0;
   std::string site = "Site";
-  /// Pattern; see terrainSurfaces.
+  /// Pattern of the names of terrain surfaces; see terrainSurfaces.
   std::string terrain;
   GridAlignment alignment = GridAlignment::axes;
   /// Names of more surfaces that are ground, as the model's file says; see groundOf.
   std::vector<std::string> grounds;
-  /// Part of its height that a body may be above the ground to be let down to it; see groundModel. 0 lets down none.
+  /// Largest gap below a body that is let down to the ground, as a part of its height; see groundModel. 0 lets down
+  /// none.
   double groundSnapRatio = 0.25;
-  /// Height of the ground; that of the lowest ground surface, or of the lowest point, where nothing is given.
+  /// Height of the ground; if not given, that of the lowest ground surface or of the lowest point.
   std::optional<double> floor;
 };
 
-/// How exactly points are taken for one, against the finest octant.
+/// Distance up to which points are merged, in sizes of the finest octant.
 inline constexpr double weldRatio = 1e-5;
 
 /// Domain and ground of a model.
@@ -64,41 +65,42 @@ struct SitePlan
   PlacedPrism domain;
   Placement grid;
   SurfaceFlags isTerrain;
-  /// Terrain, or the site: what is no building.
+  /// Terrain, or the site: the surfaces that are no building.
   SurfaceFlags isGround;
   bool hasTerrain = false;
-  /// As WindDomain; 1 in other modes.
+  /// Same as WindDomain::widened; 1 in other modes.
   double widened = 1.0;
-  /// As in SiteOptions.
+  /// Same as SiteOptions::floor.
   std::optional<double> floor;
 
-  /// Whether the domain's upright sides are surfaces, not planes of the grid.
+  /// True if the domain's upright sides are surfaces, not planes of the grid.
   bool hasSheetSides() const { return !domain.isBox() || grid.angle() != domain.axes.angle(); }
 };
 
-/// The domain, as the options say, and how the grid stands. Where there is a terrain, the domain's bottom is lowered to
-/// two of the largest octants below it, so that the bottom cuts nothing. Throws Error where the options cannot be met.
+/// Returns the domain that the options ask for and the placement of the grid. If there is a terrain, the domain's
+/// bottom is lowered to two of the largest octants below it, so that the bottom cuts nothing. Throws Error if the
+/// options cannot be met.
 SitePlan planSite(const TriangleSurface& surface, const SiteOptions& options, const GridOptions& sizes);
 
-/// A model in the grid's coordinates: terrain extended, and where the domain is no box along the grid, cut to it and
-/// closed by sides (see TurnedSides.h).
+/// A model in the grid's coordinates. Its terrain is extended. A domain that is no box along the grid cuts the model,
+/// and sides close it (see TurnedSides.h).
 struct PlacedModel
 {
   TriangleSurface surface;
   GridFrame frame;
   TerrainOutline terrain;
-  /// What surfaces share on sides of the domain that are no planes of the grid.
+  /// Areas that surfaces share on sides of the domain that are no planes of the grid.
   std::vector<SharedArea> sharedOnSides;
 };
 
-/// `sizes.domain` is not used.
+/// Returns the model in a new grid. `sizes.domain` is not used.
 PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, const GridOptions& sizes);
 
-/// For a frame that is given, such as that of an octree made before: its lattice is fitted to the surface.
+/// Returns the model fitted to the lattice of a given frame, such as that of an octree made before.
 PlacedModel placeModel(const TriangleSurface& surface, const SiteOptions& options, const GridFrame& frame);
 
-/// Ground surfaces by the options; those that fit no name are none. Those of `grounds` are terrain where they are not
-/// level and cover half of the model's rectangle.
+/// Returns a plan with the ground surfaces of the options; names in `grounds` or `site` that fit no surface are
+/// ignored. Surfaces of `grounds` are terrain if they are not level and cover half of the model's rectangle.
 SitePlan groundOf(const TriangleSurface& surface, const SiteOptions& options, double sizeMin);
 
 } // namespace atria

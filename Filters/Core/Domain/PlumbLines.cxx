@@ -13,7 +13,7 @@ namespace atria {
 
 namespace {
 
-/// Triangles that are steeper have no height over a place.
+/// Least part of a triangle's area seen from above. Steeper triangles have no height over a place.
 constexpr double leastLevel = 1e-6;
 
 std::vector<Box3> boxesOf(const TriangleSurface& surface, const std::vector<Index>& triangles)
@@ -29,7 +29,7 @@ std::vector<Box3> boxesOf(const TriangleSurface& surface, const std::vector<Inde
   return boxes;
 }
 
-/// Twice its area.
+/// Returns twice the triangle's area vector.
 Vec3 areaOf(const TriangleSurface& surface, Index triangle)
 {
   const auto& [a, b, c] = surface.triangles[triangle];

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What upright lines meet.
+/// Finds what upright lines meet.
 #pragma once
 
 #include "Surface/Triangles/TriangleSurface.h"
 
 namespace atria {
 
-/// Boxes by where they are as seen from above. O(n) memory.
+/// Bins of boxes by their place as seen from above. O(n) memory.
 class PlanBins
 {
 public:
   /// Empty boxes are in no bin.
   explicit PlanBins(const std::vector<Box3>& boxes);
 
-  /// Calls visit(number) for all boxes that the rectangle may touch, for some more than once; of a point for none.
+  /// Calls visit(number) for all boxes that the rectangle may touch, for some more than once unless it is a point.
   template <typename Visit> void eachNear(const Vec3& low, const Vec3& high, Visit&& visit) const
   {
     for (std::size_t i = binOf(low[0], 0); !bounds.empty() && i <= binOf(high[0], 0); ++i)
@@ -33,7 +33,7 @@ private:
   std::size_t entriesOf(const std::vector<Box3>& boxes) const;
 
   Box3 bounds;
-  std::size_t bins = 1; ///< a side
+  std::size_t bins = 1; ///< number along each side
   std::vector<std::size_t> begins;
   std::vector<Index> numbers;
 };
@@ -44,7 +44,7 @@ struct PlumbHit
   Index triangle;
 };
 
-/// Finds where upright lines meet triangles of a surface, to which it keeps a reference.
+/// Finds where upright lines meet triangles of a surface. Keeps a reference to the surface.
 class PlumbLines
 {
 public:

@@ -165,7 +165,7 @@ private:
     return isUpper(direction) ? box.max[axis] - p[axis] : p[axis] - box.min[axis];
   }
 
-  /// The ray from p straight to the side meets no border but those at p.
+  /// True if the ray from the point straight to the side meets no border but those at the point.
   bool sees(Index point, int direction) const
   {
     const int axis = axisOf(direction);
@@ -191,7 +191,7 @@ private:
     return true;
   }
 
-  /// No border at p has its terrain on the side of p the direction points to.
+  /// True if no border at the point has its terrain on the side the direction points to.
   bool pointsAway(Index point, int direction) const
   {
     const double sign = isUpper(direction) ? 1.0 : -1.0;
@@ -203,7 +203,7 @@ private:
     });
   }
 
-  /// Continues a point of the outline straight to a side, where it faces that.
+  /// Continues a point of the outline straight to a side that it faces.
   void project(Index point, int direction)
   {
     const Vec2 p = plane[point];
@@ -226,7 +226,7 @@ private:
     }
   }
 
-  /// Then a part of the ring would be cut off from the rectangle.
+  /// True if the segment crosses a projection. A part of the ring would then be cut off from the rectangle.
   bool crossesProjection(const Vec2& p, const Vec2& q, int axis) const
   {
     return std::any_of(
@@ -276,7 +276,7 @@ private:
     }
   }
 
-  /// Borders that the ring does not touch.
+  /// Returns the number of borders that the ring does not touch.
   std::size_t openBorders(const PlanarTriangulation& ring) const
   {
     std::vector<char> touched(plane.size(), 0);

@@ -25,7 +25,7 @@ using Polygon = std::vector<Corner>;
 
 bool isOn(const Corner& corner, const PrismSide& side) { return (corner.on >> side.number & 1) != 0; }
 
-/// Puts what is within `tolerance` of sides on these: where two meet, on their edge.
+/// Returns the corner moved onto sides within `tolerance`, or onto their edge if there are two.
 Corner snapped(Corner corner, const PlacedPrism& domain, double tolerance)
 {
   const std::vector<PrismSide>& sides = domain.sides();
@@ -54,7 +54,8 @@ double beyond(const Corner& corner, const PrismSide& side)
   return isOn(corner, side) ? 0.0 : side.beyond(corner.at.head<2>());
 }
 
-/// Where the edge meets the side; the same bits from both ends, so that neighbors stay connected.
+/// Returns the point where the edge meets the side. It has the same bits from both ends, so that neighbors stay
+/// connected.
 Corner cutEdge(const Corner& p, const Corner& q, const PrismSide& side)
 {
   const bool ordered = std::tie(p.at[0], p.at[1], p.at[2]) < std::tie(q.at[0], q.at[1], q.at[2]);
@@ -64,7 +65,7 @@ Corner cutEdge(const Corner& p, const Corner& q, const PrismSide& side)
   return {a.at + from / (from - beyond(b, side)) * (b.at - a.at), (a.on & b.on) | SideBits{1} << side.number};
 }
 
-/// The part of a convex polygon on the inner side of a plane (Sutherland and Hodgman 1974).
+/// Returns the part of a convex polygon on the inner side of a plane (Sutherland and Hodgman 1974).
 Polygon clipped(const Polygon& polygon, const PlacedPrism& domain, const PrismSide& side, double tolerance)
 {
   Polygon out;
@@ -92,7 +93,7 @@ class CoverChoice
 public:
   explicit CoverChoice(const TriangleSurface& drawn) : surface(drawn) {}
 
-  /// The surface that keeps its faces where `sources` cover so much area; noIndex without any.
+  /// Returns the surface that keeps its faces where `sources` cover so much area; noIndex without any.
   Index surfaceOf(std::span<const Index> sources, double area)
   {
     if (sources.size() < 2)
@@ -130,7 +131,7 @@ public:
 
 private:
   const TriangleSurface& surface;
-  std::optional<FacePrecedence> precedence; ///< once it is asked for
+  std::optional<FacePrecedence> precedence; ///< set on first use
   std::map<std::pair<Index, Index>, SharedArea> byPair;
 };
 
@@ -164,7 +165,7 @@ public:
     return std::ranges::all_of(polygon, [&](const Corner& corner) { return isOn(corner, prismSide); });
   }
 
-  /// `source` is the triangle's number.
+  /// Adds a triangle that lies in the side; `source` is its number.
   void cover(const Polygon& triangle, Index source)
   {
     const Cover cover{{flat(triangle[0].at), flat(triangle[1].at), flat(triangle[2].at)}, source};

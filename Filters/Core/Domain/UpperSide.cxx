@@ -11,7 +11,7 @@ namespace atria {
 
 namespace {
 
-/// Sines against the vertical of what counts as upright, and cosine between sides that are one.
+/// Largest sine against the vertical of upright triangles, and least cosine between triangles of one side.
 constexpr double uprightSine = 0.02;
 constexpr double samePlane = 0.98;
 
@@ -32,7 +32,7 @@ std::vector<char> closedBodies(const TriangleSurface& surface, const ModelBodies
   return isClosed;
 }
 
-/// Adds to `isLower` the upright triangles of sides that such triangles are at.
+/// Adds to `isLower` the upright sides that border on its triangles.
 void addSides(const TriangleSurface& surface, const ModelBodies& bodies, const std::vector<char>& isClosed,
               std::vector<char>& isLower)
 {
@@ -140,8 +140,8 @@ std::vector<Index> keepUpperSides(TriangleSurface& surface, const SurfaceFlags& 
 
 Index findGroundSlab(const TriangleSurface& surface, const ModelBodies& bodies, double tolerance)
 {
-  constexpr double mostHeight = 0.1; // against the width
-  constexpr double leastArea = 2.0;  // against all else
+  constexpr double mostHeight = 0.1; // part of the width
+  constexpr double leastArea = 2.0;  // ratio to the area of all else
   std::vector<double> areas(bodies.boxes.size());
   std::ranges::transform(bodies.boxes, areas.begin(), [](const Box3& box) { return box.size()[0] * box.size()[1]; });
   const auto widest = std::ranges::max_element(areas);
@@ -172,7 +172,7 @@ Index findGroundSlab(const TriangleSurface& surface, const ModelBodies& bodies, 
   {
     if ((surface.surfaceIds[t] == id) != (bodies.ofTriangle[t] == slab))
     {
-      return noIndex; // the name is not the slab's alone
+      return noIndex; // other bodies have the name too
     }
   }
   const auto [others, own] = std::pair(hullOf(std::move(points[0])), hullOf(std::move(points[1])));

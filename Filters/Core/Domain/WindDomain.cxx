@@ -17,7 +17,7 @@ struct Span
   double high;
 };
 
-/// Projected triangle, and its range along y.
+/// Projected triangle with its range along y.
 struct Shadow
 {
   std::array<Eigen::Vector2d, 3> points;
@@ -51,7 +51,7 @@ std::vector<Shadow> shadowsOf(const TriangleSurface& surface, const SurfaceFlags
   return shadows;
 }
 
-/// Where the upright line at y meets the triangle, which it does.
+/// Returns the span in which the upright line at y meets the triangle. They must meet.
 Span spanAt(const Shadow& shadow, double y)
 {
   Span span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -68,7 +68,7 @@ Span spanAt(const Shadow& shadow, double y)
   return span;
 }
 
-/// Length of the union of the spans above `floor`.
+/// Returns the length of the union of the spans above `floor`.
 double covered(std::vector<Span>& spans, double floor)
 {
   std::sort(spans.begin(), spans.end(), [](const Span& l, const Span& r) { return l.low < r.low; });
@@ -82,7 +82,7 @@ double covered(std::vector<Span>& spans, double floor)
   return length;
 }
 
-/// Ends of the strips to integrate over: equal ones, and, where they are not many, the projected points.
+/// Returns the ends of the strips to integrate over: equal ones, and the projected points if they are not many.
 std::vector<double> stripsOf(const std::vector<Shadow>& shadows)
 {
   constexpr std::size_t equalStrips = 2048;
@@ -195,7 +195,7 @@ double frontalArea(const TriangleSurface& surface, const SurfaceFlags& isGround,
 
 namespace {
 
-/// (width + 2 side f)(rise + top f) = needed, for the factor f; 1 where the section is large enough.
+/// Returns the factor f with (width + 2 side f)(rise + top f) = needed; 1 if the section is large enough.
 double widening(double width, double side, double rise, double top, double needed)
 {
   if ((width + 2.0 * side) * (rise + top) >= needed)
@@ -208,12 +208,12 @@ double widening(double width, double side, double rise, double top, double neede
   return (-linear + std::sqrt(linear * linear - 4.0 * square * constant)) / (2.0 * square);
 }
 
-/// The largest, for wind square to a side of a prism.
+/// Returns the largest frontal area for wind square to a side of a prism.
 double frontalAreaAround(const TriangleSurface& surface, const SurfaceFlags& isGround, const Placement& axes,
                          double floor, int sideCount)
 {
   double area = 0.0;
-  const bool pairs = sideCount % 2 == 0; // of opposite sides, which see the same
+  const bool pairs = sideCount % 2 == 0; // opposite sides see the same
   for (int i = 0; i < (pairs ? sideCount / 2 : sideCount); ++i)
   {
     area = std::max(area, frontalArea(surface, isGround, Placement(axes.angle() + 360.0 * i / sideCount), floor));
@@ -236,7 +236,7 @@ double radiusAbout(const TriangleSurface& surface, const SurfaceFlags& isGround,
   return radius;
 }
 
-/// The largest height of the buildings, of which there must be some.
+/// Returns the largest height of the buildings. Throws Error if there are none.
 double neededHeight(const TriangleSurface& surface, const WindGround& ground)
 {
   const double height = heightOfBuildings(surface, ground);

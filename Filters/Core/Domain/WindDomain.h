@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The domain by the rules of wind engineering.
+/// Finds the domain by the rules of wind engineering.
 #pragma once
 
 #include "Domain/Ground.h"
@@ -9,7 +9,8 @@
 
 namespace atria {
 
-/// Distances from the buildings in their heights, after COST 732 (Franke et al. 2007) and AIJ (Tominaga et al. 2008).
+/// Distances from the buildings, in building heights, after COST 732 (Franke et al. 2007) and AIJ (Tominaga et al.
+/// 2008).
 struct WindRules
 {
   double inletHeights = 5.0;
@@ -19,7 +20,7 @@ struct WindRules
   double mostBlockage = 0.03;
 };
 
-/// What of a model is no building, and the height of the ground where that is not to follow from these surfaces.
+/// Surfaces of a model that are no buildings, and the height of the ground if it does not follow from them.
 struct WindGround
 {
   const SurfaceFlags& isGround;
@@ -33,35 +34,36 @@ struct WindDomain
   Box3 buildings;
   /// Largest height of a point of the buildings above the ground below it.
   double height = 0.0;
-  /// Factor by which the distances to the sides and the top were made larger to keep the blockage.
+  /// Factor by which the distances to the sides and the top were increased to keep the blockage.
   double widened = 1.0;
 };
 
-/// The domain for wind towards `windAngle` (see Placement): along the box's x axis, so that xMin is the inlet. For a
-/// prism of other than four sides it is that for wind from all around: a circle about the buildings' middle, with the
-/// distance of the outlet from the circle that holds them, touches its sides; the blockage is that of the wind square
-/// to any of them. Buildings are all surfaces that are no ground.
-/// Throws Error where there are none or they have no height.
+/// Returns the domain for wind toward `windAngle` (see Placement), which blows along the box's x axis: xMin is the
+/// inlet. A prism of other than four sides serves wind from all around. Its sides touch a circle around the buildings'
+/// middle, at the distance of the outlet from the circle that holds the buildings. Its blockage is the largest one for
+/// wind square to a side. Buildings are all surfaces that are not ground. Throws Error if there are none or they have
+/// no height.
 WindDomain windDomain(const TriangleSurface& surface, const WindGround& ground, double windAngle, int sideCount = 4,
                       const WindRules& rules = {});
 
-/// Bottom and top of the same domain where its sides are given: the lowest ground, and 5 H above the highest point.
-/// Throws Error as windDomain().
+/// Returns bottom and top of the same domain if its sides are given: the lowest ground, and 5 H above the highest
+/// point. Throws Error as windDomain() does.
 std::array<double, 2> windHeights(const TriangleSurface& surface, const WindGround& ground,
                                   const WindRules& rules = {});
 
-/// Bounds along `axes` of all surfaces that are no ground.
+/// Returns the bounds along `axes` of all surfaces that are not ground.
 Box3 boundsOfBuildings(const TriangleSurface& surface, const SurfaceFlags& isGround, const Placement& axes);
 
-/// The floor where one is given, else the lowest ground, else the buildings' lowest point; 0 without any.
+/// Returns the floor if one is given, else the lowest ground, else the buildings' lowest point; 0 without any.
 double lowestGround(const TriangleSurface& surface, const WindGround& ground);
 
-/// Largest height of a point of the buildings above the ground below it; 0 without buildings.
+/// Returns the largest height of a point of the buildings above the ground below it; 0 without buildings.
 double heightOfBuildings(const TriangleSurface& surface, const WindGround& ground);
 
-/// Area of the buildings' projection along `axes`' x, above the height `floor`: each place counts once, however
-/// many walls stand behind each other. Integrated along y in 2048 strips and, of a model without more of them, between
-/// the projected points: exact then where projected edges do not cross between these.
+/// Returns the area of the buildings' projection along the x axis of `axes`, above the height `floor`. Each place
+/// counts once, however many walls stand behind each other. The integral along y is taken in 2048 strips. A model
+/// without more projected points than that also has strips between these points: it is exact unless projected edges
+/// cross between them.
 double frontalArea(const TriangleSurface& surface, const SurfaceFlags& isGround, const Placement& axes, double floor);
 
 } // namespace atria

@@ -58,7 +58,7 @@ int levelClosestTo(double size, const GridFrame& frame)
   return best;
 }
 
-/// How often sizeMin is halved to reach the finest size asked for.
+/// Returns how often sizeMin is halved to reach the finest requested size.
 int levelsBelow(const GridOptions& o)
 {
   constexpr double rounding = 1.0 + 1e-9;

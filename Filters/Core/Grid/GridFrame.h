@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Where the octree stands in the model, and the integer lattice on which all decisions are taken.
+/// The octree's position in the model, and the integer lattice on which all decisions are taken.
 #pragma once
 
 #include "Grid/Prism.h"
@@ -28,13 +28,13 @@ struct GridOptions
   double sizeMax = 8.0;
   /// Every octant in the domain is refined at least to this level (the root is level 0).
   int startLevel = 4;
-  /// The finest size asked for anywhere (finestSizeOf in Octree/Sizing.h). Below sizeMin it adds levels to the grid.
+  /// The finest size requested anywhere (finestSizeOf in Octree/Sizing.h). Below sizeMin it adds levels to the grid.
   double finestAsked = std::numeric_limits<double>::infinity();
 };
 
 /// The root cube `[origin, origin + finestSize * 2^depth]^3` that holds the domain. Its phase puts the domain's lower
 /// planes through the centers of finest octants: the upper ones follow where the domain is a multiple of `finestSize`.
-/// `finestSize` is SizeMin, or SizeMin / 2^k where a rule asks for finer octants; features then are at k levels above
+/// `finestSize` is SizeMin, or SizeMin / 2^k where a rule requests finer octants; features then are at k levels above
 /// the finest unless a rule says otherwise.
 ///
 /// All coordinates are along the axes of `placement`, to which the model was turned.
@@ -58,7 +58,7 @@ struct GridFrame
   LatticePoint domainHigh{};
   Placement placement;
   /// The domain proper where it is no box along the grid: its upright sides then are surfaces, and `domain` is a box of
-  /// the grid about it, with the same bottom and top.
+  /// the grid around it, with the same bottom and top.
   std::optional<PlacedPrism> turnedDomain;
 
   /// The domain proper, whether it is a box along the grid or not.
@@ -75,7 +75,7 @@ struct GridFrame
   Vec3 toModel(const Vec3& lattice) const { return origin + latticeUnit() * lattice; }
   double toModel(int axis, double lattice) const { return origin[axis] + lattice * latticeUnit(); }
 
-  /// Strictly inside the domain box.
+  /// True if the point is strictly inside the domain box.
   bool inDomain(const LatticePoint& p) const;
   /// Domain planes (by Direction, as bits) that pass through the octant [low, high]. A plane on the border of two
   /// octants belongs to the one inside the domain.
@@ -90,11 +90,11 @@ struct GridFrame
 /// The coarsest level at which octants have a valid vertex: larger ones have both domain planes of an axis in them.
 int coarsestLevelFor(const GridFrame& frame);
 
-/// Chooses the lattice of a frame whose root and domain are set, so that it holds `extent` too. Throws Error where that
-/// is too far for it. The octree's keys do not depend on the lattice.
+/// Chooses the lattice of a frame whose root and domain are set, so that it holds `extent` too. Throws Error if
+/// `extent` reaches too far for it. The octree's keys do not depend on the lattice.
 void fitLattice(GridFrame& frame, const Box3& extent);
 
-/// Chooses root, levels and lattice. `extent` must hold every surface point. Throws Error where the domain is empty or
+/// Chooses root, levels and lattice. `extent` must hold every surface point. Throws Error if the domain is empty or
 /// thinner than two octants of sizeMin, sizes are not positive and ordered, or the ratio of extent to the finest size
 /// is beyond what 20 levels hold.
 GridFrame makeGridFrame(const GridOptions& options, const Box3& extent);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Axis-aligned boxes on the integer lattice: bounds, growth, overlap and intersection.
 #pragma once
 
 #include "Grid/GridFrame.h"
@@ -30,7 +31,7 @@ struct LatticeBox
   }
 };
 
-/// About some points.
+/// Returns the smallest box that holds the points.
 template <std::same_as<LatticePoint>... Points> LatticeBox boundsOf(const LatticePoint& first, const Points&... others)
 {
   LatticeBox box{first, first};
@@ -38,7 +39,7 @@ template <std::same_as<LatticePoint>... Points> LatticeBox boundsOf(const Lattic
   return box;
 }
 
-/// By so much on all sides.
+/// Returns the box grown by `by` lattice units on all sides.
 inline LatticeBox grown(LatticeBox box, std::int64_t by)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -59,7 +60,7 @@ inline bool overlap(const LatticeBox& a, const LatticeBox& b)
   return !apart;
 }
 
-/// What two boxes that overlap have in common.
+/// Returns the intersection of two boxes that overlap.
 inline LatticeBox common(const LatticeBox& a, const LatticeBox& b)
 {
   LatticeBox box;

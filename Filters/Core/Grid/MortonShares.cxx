@@ -12,7 +12,7 @@ namespace atria {
 namespace {
 
 constexpr std::size_t grain = 65536;
-constexpr double cellsAcross = 1 << 21; // what a key holds
+constexpr double cellsAcross = 1 << 21; // a key has 21 bits per axis
 
 Box3 boxOf(std::span<const Vec3> places)
 {

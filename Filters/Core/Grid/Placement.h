@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Axes turned around the vertical, and upright boxes along them.
 #pragma once
 
 #include "Support/Types.h"
@@ -8,8 +9,8 @@
 
 namespace atria {
 
-/// Axes that are turned about the vertical through the model's origin. Angles are in degrees from the model's x axis,
-/// counterclockwise seen from above. Quarter turns are exact, and no turn changes no bit.
+/// Axes that are turned around the vertical through the model's origin. Angles are in degrees from the model's x axis,
+/// counterclockwise seen from above. Quarter turns are exact, and an angle of 0 changes no bit.
 class Placement
 {
 public:
@@ -61,7 +62,7 @@ struct PlacedBox
   }
 };
 
-/// The box along turned axes about the middle of `box`, with its lengths.
+/// Returns a box along turned axes with the center and the lengths of `box`.
 PlacedBox turnedAboutMiddle(const Box3& box, double degrees);
 
 } // namespace atria

@@ -31,8 +31,8 @@ inline Wide projectedArea(const LatticePoint& a, const LatticePoint& b, const La
   return Wide(b[u] - a[u]) * (c[v] - a[v]) - Wide(b[v] - a[v]) * (c[u] - a[u]);
 }
 
-/// On which side of the line a-b, projected along `axis`, the shifted grid point p lies. Zero only where a and b
-/// project to one point.
+/// Returns the side of the line a-b, projected along `axis`, on which the shifted grid point p lies. Zero only where a
+/// and b project to one point.
 inline int sideOfLine(const LatticePoint& a, const LatticePoint& b, const LatticePoint& p, int axis)
 {
   const int sign = signOf(projectedArea(a, b, p, axis));
@@ -58,7 +58,8 @@ struct LatticeNormal
   {
   }
 
-  /// On which side of the plane through `a` the shifted grid point p lies. Zero only where the triangle has no area.
+  /// Returns the side of the plane through `a` on which the shifted grid point p lies. Zero only where the triangle has
+  /// no area.
   int sideOf(const LatticePoint& a, const LatticePoint& p) const
   {
     const int sign = signOf(n[0] * (p[0] - a[0]) + n[1] * (p[1] - a[1]) + n[2] * (p[2] - a[2]));
@@ -73,7 +74,7 @@ struct LatticeNormal
   }
 };
 
-/// Whether the line through the shifted grid point p along `axis` passes through the triangle.
+/// True if the line through the shifted grid point p along `axis` passes through the triangle.
 inline bool lineMeetsTriangle(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
                               const LatticePoint& p, int axis)
 {
@@ -82,7 +83,8 @@ inline bool lineMeetsTriangle(const LatticePoint& a, const LatticePoint& b, cons
          sideOfLine(c, a, p, axis) == winding;
 }
 
-/// On which side of the line a-b the line from p to q passes, both shifted alike. Zero only where they are parallel.
+/// Returns the side of the line a-b on which the line from p to q passes, both shifted alike. Zero only where they are
+/// parallel.
 inline int sideOfSegment(const LatticePoint& p, const LatticePoint& q, const LatticePoint& a, const LatticePoint& b)
 {
   const auto minus = [](const LatticePoint& l, const LatticePoint& r) {
@@ -103,7 +105,7 @@ inline int sideOfSegment(const LatticePoint& p, const LatticePoint& q, const Lat
   return sign;
 }
 
-/// Whether the line through the shifted grid points p and q passes through the triangle.
+/// True if the line through the shifted grid points p and q passes through the triangle.
 inline bool lineMeetsTriangle(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
                               const LatticePoint& p, const LatticePoint& q)
 {

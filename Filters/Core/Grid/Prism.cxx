@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view prismSidePrefix = "domainSide";
 
-/// Corners of the regular polygon about the unit circle, the first where the first side starts.
+/// Corners of the regular polygon around the unit circle; the first side starts at the first.
 std::vector<Vec2> regularCorners(int sideCount)
 {
   std::vector<Vec2> corners;
@@ -55,7 +55,7 @@ void checkCount(int sideCount)
 
 double crossProduct(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-/// Degrees to the left, from -180 to 180, from the side that ends at a corner to that which starts there.
+/// Returns the turn to the left at a corner, in degrees from -180 to 180.
 double turnAt(const std::vector<Vec2>& corners, std::size_t i)
 {
   const std::size_t count = corners.size();
@@ -88,7 +88,8 @@ void refuseRepeated(const std::vector<Vec2>& corners)
   }
 }
 
-/// The corners of a convex polygon, from the first on. Throws Error where it is none, naming the corner as given.
+/// Returns the corners of a convex polygon counterclockwise, from the first on. Throws Error that names the corner as
+/// given if the polygon is not convex.
 std::vector<Vec2> counterclockwise(std::vector<Vec2> corners)
 {
   constexpr double straight = 1.0; // degrees
@@ -231,7 +232,7 @@ Vec2 PlacedPrism::nearest(const Vec2& p, SideBits on) const
     {
       continue;
     }
-    // Where two sides are asked for that meet, it is where they meet.
+    // If two requested sides meet, their common corner takes precedence.
     const bool meets = on != 0 && isOn(sides_[(i + 1) % sides_.size()]);
     const Vec2 place = meets ? side.end : nearestOn(side, p);
     const double distance = (place - p).squaredNorm();

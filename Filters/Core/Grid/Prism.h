@@ -32,11 +32,11 @@ struct PrismSide
 {
   Index number = 0;
   Vec2 normal = Vec2::Zero(); ///< outwards, a unit vector
-  double offset = 0.0;        ///< of its points along the normal
+  double offset = 0.0;        ///< coordinate of its points along the normal
   Vec2 start = Vec2::Zero();
-  Vec2 end = Vec2::Zero(); ///< where the next side starts, counterclockwise seen from above
+  Vec2 end = Vec2::Zero(); ///< start of the next side, counterclockwise seen from above
 
-  /// How far a point is beyond the side's plane; negative within.
+  /// Returns how far a point is beyond the side's plane; negative within.
   double beyond(const Vec2& p) const { return normal.dot(p) - offset; }
   /// Counterclockwise, square to the normal.
   Vec2 tangent() const { return {-normal[1], normal[0]}; }
@@ -50,20 +50,21 @@ class PlacedPrism : public PlacedBox
 {
 public:
   PlacedPrism() = default;
-  /// Throws Error where there may not be so many sides.
+  /// Throws Error if `sideCount` is out of range.
   PlacedPrism(const PlacedBox& box, int sideCount = 4);
-  /// By corners along `axes`; the first side starts at the first corner, others follow counterclockwise. Corners that
-  /// run clockwise are turned round. Throws Error that names the corner where the polygon is not convex, is straight to
-  /// a degree, or repeats a corner, and for fewer or more sides than there may be.
+  /// Takes corners along `axes`; the first side starts at the first corner, others follow counterclockwise. Clockwise
+  /// corners are reversed. Throws Error that names the corner at which the polygon is not convex, is straight to within
+  /// a degree, or repeats a corner. Throws Error, too, if there are too few or too many sides.
   PlacedPrism(const Placement& axes, const std::vector<Vec2>& corners, double bottom, double top);
 
   const std::vector<PrismSide>& sides() const { return sides_; }
   bool isBox() const { return !sides_.empty() && sides_.front().number < firstPrismSide; }
-  /// How far a point along the prism's axes is beyond the upright side it is farthest out of; negative within all.
+  /// Returns how far a point along the prism's axes is beyond the upright side it is farthest out of; negative within
+  /// all.
   double beyond(const Vec2& p) const;
-  /// Of a point of the model.
+  /// True if the prism contains the point, given in model coordinates.
   bool contains(const Vec3& modelPoint) const;
-  /// The place within the prism, and on all of the sides `on`, that is nearest.
+  /// Returns the place nearest to `p` that is within the prism and on all of the sides `on`.
   Vec2 nearest(const Vec2& p, SideBits on) const;
   double volume() const;
 
@@ -73,7 +74,7 @@ private:
   std::vector<PrismSide> sides_;
 };
 
-/// Bounds of a regular prism about a circle, which touches its sides.
+/// Bounds of a regular prism around a circle, which touches its sides.
 Box3 boundsAboutCircle(const Vec2& center, double radius, int sideCount, double bottom, double top);
 
 /// Bounds, along other axes, of a prism.

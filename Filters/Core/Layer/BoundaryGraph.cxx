@@ -17,7 +17,7 @@ struct HalfEdge
   bool rising;
 };
 
-/// For each point the faces that have it.
+/// Returns the faces of each point.
 Buckets findFaces(const DualMesh& mesh, const RunContext& context)
 {
   return fillInOrder(mesh.points.size(), context.executor, [&](auto&& use) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The boundary of a mesh as a surface.
+/// Graph of a mesh's boundary faces: neighbors across edges, and faces around points.
 #pragma once
 
 #include "Dual/Mesh/DualMesh.h"
@@ -11,16 +11,16 @@
 
 namespace atria {
 
-/// Two edges on a curve or crease are in line beyond this angle.
+/// Cosine of the angle beyond which two edges on a curve or crease are in line.
 inline const double inLineCosine = cosOfDegrees(149.99);
 
-/// Edge i of a boundary face runs from corner i to corner i + 1 of hexahedronFace[direction]; where both are one point
-/// there is no edge.
+/// Edge i of a boundary face runs from corner i to corner i + 1 of hexahedronFace[direction]. There is no edge if both
+/// corners are one point.
 struct BoundaryGraph
 {
   /// No edge there.
   static constexpr Index noEdge = noIndex;
-  /// An edge that other than two faces have.
+  /// An edge whose number of faces is not two.
   static constexpr Index branching = noIndex - 1;
   static constexpr bool isEdge(Index code) { return code < branching; }
   static constexpr Index faceOf(Index code) { return code >> 2; }
@@ -28,7 +28,7 @@ struct BoundaryGraph
 
   /// Per boundary face and edge: 4 * f + i for edge i of face f across it, or noEdge, or branching.
   std::vector<std::array<Index, 4>> across;
-  /// By point of the mesh, the boundary faces about it, in order.
+  /// One entry per point of the mesh: the boundary faces around it, in rising order.
   Buckets faces;
 
   std::span<const Index> facesAt(Index point) const { return faces.of(point); }
@@ -44,14 +44,14 @@ inline std::array<Index, 4> cornersOf(const DualMesh& mesh, const BoundaryFace& 
   return {cornerOf(mesh, face, 0), cornerOf(mesh, face, 1), cornerOf(mesh, face, 2), cornerOf(mesh, face, 3)};
 }
 
-/// O(n log n) in boundary faces.
+/// Finds the graph of a mesh's boundary. O(n log n) in boundary faces.
 BoundaryGraph findBoundaryGraph(const DualMesh& mesh, const RunContext& context);
 
-/// The faces about a point in turn, each the one across the edge that leaves the point. Empty where they are no single
-/// closed fan: where edges branch, or where parts of the boundary touch in the point only.
+/// Returns the faces around a point in turn, each across the edge of the last one that leaves the point. Empty if they
+/// are not a single closed fan: edges branch, or parts of the boundary touch only in the point.
 std::vector<Index> fanAt(const DualMesh& mesh, const BoundaryGraph& graph, Index point);
 
-/// The face on the other side of the sheet, or noIndex.
+/// Returns the face on the other side of the sheet, or noIndex.
 inline Index faceBehind(const DualMesh& mesh, const BoundaryFace& face)
 {
   const std::int32_t code =

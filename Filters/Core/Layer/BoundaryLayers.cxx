@@ -8,7 +8,7 @@ namespace atria {
 
 namespace {
 
-/// Length of layers that start with 1.
+/// Returns the total height of layers whose first height is 1.
 double sumOf(int count, double growth)
 {
   double sum = 0.0;
@@ -20,7 +20,8 @@ double sumOf(int count, double growth)
   return sum;
 }
 
-/// The growth at which `count` layers, the first of height 1, are `length` long in all; between `low` and the maximum.
+/// Returns the growth at which `count` layers, the first of height 1, have the total height `length`; between `low` and
+/// the maximum.
 double growthFor(int count, double length, double low)
 {
   double high = std::max(low, maximumGrowth);
@@ -32,7 +33,7 @@ double growthFor(int count, double length, double low)
   return high;
 }
 
-/// Marks points with more layers than another one of a face.
+/// Marks points that have more layers than another point of a face.
 std::vector<char> besideFewer(const DualMesh& plain, const LayerMesh& one, const std::vector<Index>& counts)
 {
   std::vector<char> marked(counts.size(), 0);
@@ -48,7 +49,7 @@ std::vector<char> besideFewer(const DualMesh& plain, const LayerMesh& one, const
   return marked;
 }
 
-/// Puts the points of chains on their ways. Beside those marked in `ends` layers end.
+/// Places the points of chains on the lines to the copies. Layers end beside the points marked in `ends`.
 void placeChains(LayerMesh& layer, const LayerMesh& one, const std::vector<WallLayers>& asked,
                  const std::vector<char>& ends)
 {
@@ -64,7 +65,7 @@ void placeChains(LayerMesh& layer, const LayerMesh& one, const std::vector<WallL
     {
       WallLayers layers = asked[p];
       layers.layers = static_cast<int>(layer.copies[p] - point) + 1;
-      // Beside an end layers become wedges, whose determinants go with the fourth power of the thinnest.
+      // Layers become wedges beside an end; their determinants go with the fourth power of the thinnest.
       layers.growth = ends[p] && layers.firstHeight == 0.0 ? 1.0 : layers.growth;
       shares = divideWay(layers, (copy - wall).norm());
     }

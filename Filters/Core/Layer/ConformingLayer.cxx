@@ -13,17 +13,18 @@ namespace atria {
 
 namespace {
 
-/// An element is crowded where its shape's cosine is below this, and was not without the layer. What was flat or
-/// inverted then is not helped by less height: copies that lift it off the wall by more are what opens it.
+/// An element is crowded if its shape's cosine is below this, and was not without the layer. Less height does not help
+/// elements that were flat or inverted without it: copies that lift them farther off the wall open them.
 constexpr double crowdedCosine = 0.05;
-/// What a crowded element's copies keep of their height in a round, and how many rounds there are.
+/// Share of their height that a crowded element's copies keep in a round, and number of rounds.
 constexpr double shrinkFactor = 0.7;
 constexpr int shrinkRounds = 8;
 
 constexpr std::array<std::array<std::uint8_t, 2>, 12> hexahedronEdge{
     {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
-/// Takes the layer from points of faces on which it would lie flat, and again as others lose their last support.
+/// Removes the layer from points of faces on which it would lie flat. Repeats this while other faces lose their last
+/// support.
 void dropFlat(const DualMesh& mesh, const LayerWalls& walls, const LayerDirections& directions,
               std::vector<Index>& counts)
 {
@@ -64,7 +65,7 @@ void dropFlat(const DualMesh& mesh, const LayerWalls& walls, const LayerDirectio
   }
 }
 
-/// Whether an edge is one of a wall's.
+/// True if the edge belongs to a boundary face that is not a sliding side of the domain.
 bool liesOnWall(const DualMesh& mesh, const LayerWalls& walls, Index p, Index q)
 {
   const auto star = walls.graph.facesAt(p);
@@ -94,7 +95,8 @@ template <typename IsBetter> void replaceIf(double& value, double candidate, IsB
   }
 }
 
-/// The least that any wall about a point asks for, at the points of some elements.
+/// Returns the smallest thickness that any wall around a point requests, for the points of `elements`; infinity
+/// elsewhere.
 std::vector<double> thicknesses(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Index>& counts,
                                 const std::vector<Index>& elements, const LayerOptions& options,
                                 const RunContext& context)
@@ -176,7 +178,7 @@ private:
            (e >= layer.plainElements || shapeOf(plain.points, plain.corners[e]).cosine >= crowdedCosine);
   }
 
-  /// Lowers the copies of crowded elements; tells at which points.
+  /// Lowers the copies of crowded elements. Returns marks of the wall points whose copies were lowered.
   std::vector<char> shrink(const std::vector<Index>& active)
   {
     std::vector<char> crowded(active.size());
@@ -204,8 +206,8 @@ private:
   const RunContext& context;
 };
 
-/// Marks points as far around those marked as their heights can depend on: each round of drawing in looks one element
-/// further.
+/// Extends the marks to all points whose heights can depend on those marked: each round of drawing in reaches one
+/// element further.
 void widen(std::vector<char>& marked, const DualMesh& plain, const LayerMesh& layer, const Executor& executor)
 {
   const std::vector<Index> touched = chosenNumbers(plain.elementCount(), executor, [&](std::size_t e) {
@@ -264,7 +266,7 @@ std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls,
       const double share = counts[p] > 0 && counts[q] > 0 ? 0.5 : 1.0;
       for (const Index end : {p, q})
       {
-        // The greatest and the least are the same in any order.
+        // Maximum and minimum do not depend on the order.
         onWall ? replaceIf(along[end], length, std::less()) : replaceIf(off[end], share * length, std::greater());
       }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The layer of elements about all walls (pillow).
+/// Grows one layer of elements along all walls (pillowing).
 #pragma once
 
 #include "Layer/LayerDirections.h"
@@ -7,14 +7,18 @@
 
 namespace atria {
 
-/// Doubles the points of walls, one prism on each side of every wall, and moves the copies off the walls: along the
-/// direction that is farthest inside all of them, by the thickness asked for, or less where elements would become
-/// worse than they were. At boundary edges the layer tapers to nothing.
+/// Doubles the points of walls, one prism on each side of every wall, and moves the copies off the walls. A copy moves
+/// along the direction that is farthest inside all walls, by the requested thickness, or by less if elements would get
+/// worse than they were. The layer tapers to nothing at boundary edges.
 ///
-/// Points are left single where `findLayerWalls` says so, where `excluded` (by point of the plain mesh; may be empty)
-/// is set, where no direction is feasible, and where a prism would lie flat on its wall as no copy lifts off it. The
-/// plain mesh is not changed, so that a caller who finds no room somewhere can move or exclude points and grow the
-/// layer again. The same bits for any number of threads.
+/// Points stay single
+/// - where `findLayerWalls` gives no layer,
+/// - where `excluded` is set (one entry per point of the plain mesh; may be empty),
+/// - where no direction is feasible,
+/// - where a prism would lie flat on its wall because no copy lifts off it.
+///
+/// The plain mesh is not changed, so a caller who finds no room somewhere can move or exclude points and grow the layer
+/// again. The result has the same bits for any number of threads.
 class LayerGrower
 {
 public:
@@ -25,8 +29,8 @@ public:
   }
 
   LayerMesh grow(const DualMesh& plain, const std::vector<char>& excluded, const RunContext& context);
-  /// Of the same mesh with other places of points. Copies that points have in `before` stay where they are there, but
-  /// for those of `fresh` points.
+  /// Grows the layer of the same mesh after points moved. Copies in `before` keep their positions, except those of
+  /// `fresh` points.
   LayerMesh growAgain(const DualMesh& plain, const std::vector<char>& excluded, const LayerMesh& before,
                       const std::vector<char>& fresh, const RunContext& context);
 
@@ -38,21 +42,22 @@ private:
   LayerDirections directions_;
 };
 
-/// For each point that has a count the longest edge of an element that leaves its walls, half of it where another wall
-/// is at the other end; where none leaves them, as in the corner of a room, the shortest edge along them. Infinite for
-/// other points.
+/// Returns the size of the elements at each point that has a count, in model units; infinity for other points. The size
+/// is the longest edge of an element that leaves the point's walls; edges between two walls count half. If no edge
+/// leaves them, as in the corner of a room, it is the shortest edge along them.
 ///
-/// The longest, as the layer then is thicker at the vertices of large octants than at those of small ones beside them,
-/// which opens elements between the two that lie flat on the wall.
+/// The longest edge makes the layer thicker at the vertices of large octants than at those of small ones beside them.
+/// This opens elements between the two that lie flat on the wall.
 ///
-/// Only edges of `elements` are looked at.
+/// Only edges of `elements` count.
 std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Index>& counts,
                                   const std::vector<Index>& elements, const RunContext& context);
 
-/// Elements with a marked point, in order.
+/// Returns the elements with a marked point, in order.
 std::vector<Index> elementsAt(const DualMesh& mesh, const std::vector<char>& marked, const Executor& executor);
 
-/// How thick the layers of one point should be in all, its size being known.
+/// Returns the requested total thickness of the layers at a point, in model units. `wallSize` is its size by
+/// findWallSizes.
 double thicknessAsked(const WallLayers& layers, double wallSize, const LayerOptions& options);
 
 } // namespace atria

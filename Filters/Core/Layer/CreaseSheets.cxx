@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// Walls and the pieces they are of. Corner k of a face comes after edge k - 1 and before edge k.
+/// Walls and the pieces they belong to. Corner k of a face comes after edge k - 1 and before edge k.
 class PiecedWalls
 {
 public:
@@ -25,14 +25,14 @@ protected:
   Index pointAt(Index face, int k) const { return cornerOf(plain, plain.boundaryFaces[face], k); }
   Index across(Index face, int edge) const { return walls.graph.across[face][edge & 3]; }
 
-  /// Whether the face across an edge is of the same piece.
+  /// True if the face across the edge belongs to the same piece.
   bool isInner(Index face, int edge) const
   {
     const Index code = across(face, edge);
     return BoundaryGraph::isEdge(code) && pieceOf[BoundaryGraph::faceOf(code)] == pieceOf[face];
   }
 
-  /// Whether a wall of another piece is across an edge.
+  /// True if a wall of another piece is across the edge.
   bool isCrease(Index face, int edge) const
   {
     const Index code = across(face, edge);
@@ -45,7 +45,7 @@ protected:
   const std::vector<Index>& pieceOf;
 };
 
-/// The points of faces of zones.
+/// Marks the points of zone faces.
 std::vector<char> zonePoints(const DualMesh& mesh)
 {
   std::vector<char> marked(mesh.points.size(), 0);
@@ -53,7 +53,8 @@ std::vector<char> zonePoints(const DualMesh& mesh)
   return marked;
 }
 
-/// Whether the layer is there at all corners of a wall, none of them `kept`, and nothing is behind it.
+/// True if face `f` is a wall with no face behind it, and the layer exists at all its corners. No corner may be `kept`,
+/// and no edge may branch or end at a surface without layers.
 bool isWhole(Index f, const LayerMesh& layer, const DualMesh& plain, const LayerWalls& walls,
              const std::vector<char>& kept)
 {
@@ -117,7 +118,7 @@ public:
   }
 
 private:
-  /// Whether two edges of a face are on creases, and nearly in line.
+  /// True if two edges of a face are on creases and nearly in line.
   bool hasStep(Index f) const
   {
     for (int k = 0; k < 4; ++k)
@@ -238,7 +239,7 @@ private:
     return found;
   }
 
-  /// Gives each run a point half way up its layer; and one on the wall if it ends at a crease.
+  /// Adds a point halfway up the layer for each run, and one on the wall if the run ends at a crease.
   void splitPoints()
   {
     wallOf.assign(pieceOf.size() * 4, noIndex);
@@ -384,7 +385,7 @@ private:
     layer.mesh.neighbors[prismOf(f)][lateral] = static_cast<std::int32_t>(self);
   }
 
-  /// What is on the other side of the crease; made to have the element as its neighbor.
+  /// Returns the element on the other side of the crease. A prism there gets `self` as its neighbor.
   std::int32_t beyond(Index f, int edge, Index self)
   {
     const Index code = across(f, edge);
@@ -398,7 +399,8 @@ private:
     return static_cast<std::int32_t>(prismOf(other));
   }
 
-  /// What the row goes on with round a point, from an edge of a face at it.
+  /// Returns the next element of the row around a point, starting at an edge of a face there. Adds a boundary face
+  /// instead if the row ends on a side of the domain.
   std::int32_t atEnd(Index f, int edge, Index point, Index self, int end)
   {
     while (isInner(f, edge))
@@ -416,10 +418,10 @@ private:
   const CreaseCharts& charts;
   double width;
   UnionFind runs;
-  /// By root of a run.
+  /// Points on the wall and inside the layer; the entry of a run is at its root.
   std::vector<Index> wallOf;
   std::vector<Index> insideOf;
-  /// Elements: the upper half by face, those beside creases by edge.
+  /// Elements: upper halves, one entry per face, and elements beside creases, one entry per edge.
   std::vector<Index> above;
   std::vector<Index> beside;
   CreaseSheets creaseSheets;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Crease sheets of hexahedra along creases.
+/// Inserts sheets of hexahedra along creases that run across the grid.
 #pragma once
 
 #include "Layer/LayerTopology.h"
@@ -8,30 +8,30 @@
 
 namespace atria {
 
-/// Walls by the smooth pieces they are on, and which of these get crease sheets.
+/// Smooth pieces that walls belong to, and which of these get crease sheets.
 struct CreaseCharts
 {
-  /// Per boundary face a number for its chart and side; noIndex where the layer is not whole or something is behind the
-  /// face.
+  /// One entry per boundary face: a number for its chart and side; noIndex if the layer is not whole or another face is
+  /// behind it.
   std::vector<Index> pieceOf;
-  /// By piece.
+  /// One entry per piece.
   std::vector<char> isParted;
 
   bool isEmpty() const { return std::ranges::find(isParted, 1) == isParted.end(); }
 };
 
-/// Where a crease runs across the grid, it follows steps of the mesh: wall faces have two edges on it, and the elements
-/// there an angle of 180 degrees, wherever their points are. Found are pieces with such a face. Linear in the faces of
+/// Finds pieces with steps. A crease that runs across the grid follows steps of the mesh: wall faces there have two
+/// edges on it, so their elements have an angle of 180 degrees, wherever their points are. Linear in the faces of
 /// walls.
 CreaseCharts findCreaseCharts(const LayerMesh& layer, const DualMesh& plain, const LayerWalls& walls);
 
-/// Parts pieces from what is about them by a sheet of hexahedra that runs above the layer and down to the wall along
-/// creases (pillowing; Mitchell and Tautges, Pillowing doublets: refining a mesh to ensure that faces share at most one
-/// edge, 1995). So the layer there is in two halves, and between crease and steps is a row of faces with one edge each
-/// on the crease. New points lie between those they were split from; those on the wall by `width` of the way from the
-/// crease to the points beside it.
+/// Separates pieces from their surroundings by a sheet of hexahedra that runs above the layer and down to the wall
+/// along creases (pillowing; Mitchell and Tautges, Pillowing doublets: refining a mesh to ensure that faces share at
+/// most one edge, 1995). The layer there is then in two halves, and a row of faces with one edge each on the crease
+/// lies between crease and steps. New points inside lie between those they were split from. New points on the wall lie
+/// at `width` (a ratio) of the way from the crease to the points beside it.
 ///
-/// `layer` has one prism on each face, grown from `plain`. Linear in the faces of walls.
+/// `layer` has one prism on each wall face and was grown from `plain`. Linear in the faces of walls.
 CreaseSheets insertCreaseSheets(LayerMesh& layer, const DualMesh& plain, const LayerWalls& walls,
                                 const CreaseCharts& charts, double width);
 

@@ -15,7 +15,7 @@ struct FaceShape
   Vec3 centroid = Vec3::Zero();
 };
 
-/// Triangles about the mean of the points; see computeGeometry.
+/// Measures a face as triangles around the mean of its points; see computeGeometry.
 FaceShape measure(const std::vector<Vec3>& points, const ReducedFace& face)
 {
   const auto at = [&](int i) -> const Vec3& { return points[face.points[i]]; };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Checks before meshing that the elements of layers fit the memory limit.
 #pragma once
 
 #include "Layer/LayerRules.h"
@@ -10,16 +11,16 @@
 
 namespace atria {
 
-/// Elements of the mesh of an octree with layers on walls, all zones counted: the octants in the domain, and a stack of
-/// layers at each of those that surfaces with layers pass through. Sheets have layers on both sides, and so more.
-/// Counts only leaves that `isCounted`, if that is given.
+/// Estimates the number of elements of an octree's mesh with layers on walls, over all zones: one per octant in the
+/// domain, and a stack of layers at each octant that a surface with layers passes through. Sheets have layers on both
+/// sides, so they get more. Counts only leaves for which `isCounted` is true, if it is given.
 std::size_t elementsWithLayers(const Octree& octree, const SurfaceModel& model, const std::vector<LayerRule>& rules,
                                const RunContext& context, const std::function<bool(Index leaf)>& isCounted = {});
 
-/// Throws Error where so many elements do not fit the bytes of `memoryLimit`; 0 is no limit.
+/// Throws Error if `elements` need more than `memoryLimit` bytes; 0 is no limit.
 void checkLayerBudget(std::size_t elements, std::size_t memoryLimit);
 
-/// The same of these elements.
+/// The same for the elements that elementsWithLayers counts.
 void checkLayerBudget(const Octree& octree, const SurfaceModel& model, const std::vector<LayerRule>& rules,
                       std::size_t memoryLimit, const RunContext& context);
 

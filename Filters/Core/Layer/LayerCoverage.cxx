@@ -117,7 +117,7 @@ private:
     }
   }
 
-  /// Faces of sheets along creases have the layer of the face they were taken from.
+  /// Gives faces of crease sheets the layer of the face they were taken from.
   void addSheets(std::vector<LayerCoverage>& ofTag)
   {
     for (std::size_t i = 0; i < layer.creaseSheets.wallFaces.size(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What became of the layers that were asked for.
+/// Reports how far the requested layers were built.
 #pragma once
 
 #include "Layer/LayerTopology.h"
@@ -8,43 +8,44 @@
 
 namespace atria {
 
-/// Of one surface, both sides together.
+/// Layers of one surface, both sides together.
 struct LayerCoverage
 {
   std::string surface;
-  /// What was asked for; 0 where a layer is only at elements that cannot be valid without.
+  /// Number of layers requested; 0 if the surface has a layer only at elements that cannot be valid without.
   int layers = 0;
-  /// Area of its faces; of those on which elements of a layer stand, which may thin out to nothing at a corner or edge;
-  /// of those on which elements of all layers stand, which may taper off likewise. Square model units.
+  /// Area of all its faces, of faces with elements of a layer, and of faces with elements of all layers; square model
+  /// units. Elements may thin out to nothing at a corner or edge of such a face.
   double area = 0.0;
   double layered = 0.0;
   double full = 0.0;
-  /// Thickness got over thickness asked for, mean over the layered area; 0 where there is none.
+  /// Actual over requested thickness, mean over the layered area; 0 if there is none.
   double thickness = 0.0;
 };
 
 struct LayerReport
 {
-  /// Per boundary face of the mesh: the number of elements in the stack on it, and the thickness of all of them across
-  /// the face, mean of the corners; 0 where there are none.
+  /// One entry per boundary face of the mesh: the number of elements in the stack on it, and their total thickness
+  /// across the face (mean of the corners, model units); 0 if there are none.
   std::vector<std::int32_t> counts;
   std::vector<double> thicknesses;
-  /// Surfaces, and bare sides, on which layers were asked for and that have faces, or on which elements needed one.
+  /// Surfaces and bare sides that have faces and were to get layers, or whose elements needed one.
   std::vector<LayerCoverage> surfaces;
 };
 
-/// Where the mesh is one of several parts: which boundary faces are counted, and what sums up over all parts.
+/// Functions for a mesh that is one of several parts: `isCounted` selects boundary faces, `sum` adds up values over all
+/// parts.
 struct CoverageShare
 {
   std::function<bool(Index face)> isCounted;
   std::function<std::vector<double>(const std::vector<double>&)> sum;
 };
 
-/// By point of the mesh that layers were grown from, how large its elements are beside the walls there: this says how
-/// thick layers should be that have no height of their own.
+/// Returns the size of the elements beside walls, one entry per point of the mesh that layers were grown from, in model
+/// units. It determines the thickness of layers without a height of their own.
 std::vector<double> sizesBesideWalls(const DualMesh& plain, const LayerWalls& walls, const RunContext& context);
 
-/// `walls` and `sizes` are those of the mesh the layers were grown from.
+/// Reports the layers of a mesh. `walls` and `sizes` are those of the mesh the layers were grown from.
 LayerReport reportLayers(const LayerMesh& layer, const LayerWalls& walls, const std::vector<double>& sizes,
                          const LayerOptions& options, const std::vector<std::string>& surfaceNames,
                          const CoverageShare& share = {});

@@ -10,20 +10,20 @@ namespace atria {
 
 namespace {
 
-/// Vectors shorter than this, of unit ones cut to a plane, have no direction.
+/// Unit vectors projected onto a plane have no direction if they get shorter than this.
 constexpr double tiny = 1e-6;
-/// Faces of a side that slope by more are off its plane.
+/// Sine of the slope above which faces of a side are off its plane.
 constexpr double sideSlope = 1e-5;
-/// An angle of a wall face is straight if its sine is below this: within 6 degrees of 180.
+/// Sine below which an angle of a wall face is straight: within 6 degrees of 180.
 constexpr double straightSine = 0.1;
-/// How far directions lean there, as a part of the height: it makes the prism's convexity what is aimed at.
+/// Distance by which directions lean there, as a share of the height; chosen for the prism's intended convexity.
 constexpr double lean = 0.25;
 
-/// Takes directions out of space until a plane, a line or a point is left.
+/// Removes directions from space until a plane, a line or a point is left.
 class Subspace
 {
 public:
-  /// Leaves the plane across `normal`, unless that has nothing new.
+  /// Keeps the plane across `normal`, unless `normal` adds nothing new.
   void cut(const Vec3& normal)
   {
     const Vec3 rest = project(normal);
@@ -47,7 +47,7 @@ private:
   int count = 0;
 };
 
-/// Normals of one sheet differ a little from face to face; only what most of them agree on is a plane.
+/// Normals of one sheet differ a little from face to face; only directions that most of them agree on make a plane.
 void cutSheets(Subspace& space, const std::vector<Vec3>& sheets)
 {
   if (sheets.empty())
@@ -78,7 +78,7 @@ void appendDistinct(std::vector<Vec3>& out, const Vec3& v)
   }
 }
 
-/// The direction that maximizes the least product with `vectors`.
+/// Returns the direction that maximizes the smallest product with `vectors`.
 class Search
 {
 public:
@@ -95,7 +95,7 @@ public:
     {
       for (std::size_t j = i + 1; j < count; ++j)
       {
-        // Across the line through both, in their plane.
+        // Direction across the line through both, in their plane.
         const Vec3 along = vectors[j] - vectors[i];
         take(vectors[i] - along * (vectors[i].dot(along) / along.squaredNorm()));
         for (std::size_t k = j + 1; k < count; ++k)
@@ -165,7 +165,7 @@ LayerDirection solveDirection(const DirectionProblem& problem)
     }
   }
   LayerDirection out;
-  // Once more, as rounding must not take a point off its side.
+  // The projection is repeated, as rounding must not take a point off its side.
   out.direction = space.project(Search(vectors).run());
   if (out.direction.norm() < tiny)
   {
@@ -183,8 +183,8 @@ LayerDirection solveDirection(const DirectionProblem& problem)
   return out;
 }
 
-/// Whether a side's faces about a point lie in its plane. Where a surface is close to a turned side their other points
-/// may be on the surface, and copies that slide along the side would change the space inside.
+/// True if the faces of domain sides around a point lie in their planes. Their other points may be on a surface close
+/// to a turned side; copies that slide along the side would then change the space inside.
 bool LayerDirections::liesInSides(const DualMesh& mesh, Index point) const
 {
   return std::ranges::all_of(walls_.graph.facesAt(point), [&](Index f) {
@@ -193,7 +193,7 @@ bool LayerDirections::liesInSides(const DualMesh& mesh, Index point) const
   });
 }
 
-/// What the faces about a point ask for.
+/// Returns the constraints from the faces around a point.
 DirectionProblem LayerDirections::problemAt(const DualMesh& mesh, Index point) const
 {
   DirectionProblem problem;
@@ -235,7 +235,8 @@ DirectionProblem LayerDirections::problemAt(const DualMesh& mesh, Index point) c
   return problem;
 }
 
-/// The way out of the wall faces that have an angle of nearly 180 degrees at a point; zero without such a face.
+/// Returns the direction out of the wall faces that have an angle of nearly 180 degrees at a point; zero without such a
+/// face. The directions of several faces are added up.
 Vec3 LayerDirections::wayFromStraight(const DualMesh& mesh, Index point) const
 {
   Vec3 way = Vec3::Zero();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which layers users ask for on which walls.
+/// Rules by which users request layers on walls.
 #pragma once
 
 #include "Grid/Prism.h"
@@ -9,14 +9,14 @@
 
 namespace atria {
 
-/// What is asked for on the faces of one tag.
+/// Layers requested on the faces of one tag.
 struct WallLayers
 {
   /// Layers of elements, 0 to 100; 0 for none.
   int layers = 0;
   /// Height of the first one in model units, not negative; 0 leaves it to the size of the elements beside the wall.
   double firstHeight = 0.0;
-  /// Height of each further one relative to the one below it, 0.5 to 5.
+  /// Ratio of each layer's height to that of the one below it, 0.5 to 5.
   double growth = 1.2;
   bool operator==(const WallLayers&) const = default;
 };
@@ -29,13 +29,13 @@ struct LayerRule
   WallLayers layers;
 };
 
-/// A rule as text, `PATTERN LAYERS [FIRSTHEIGHT [GROWTH]]`, the pattern in double quotes where it holds blanks; what it
-/// does not give is that of `otherwise`. Throws Error that quotes the text.
+/// Reads a rule from text, `PATTERN LAYERS [FIRSTHEIGHT [GROWTH]]`; the pattern is in double quotes if it holds blanks.
+/// Missing values are taken from `otherwise`. Throws Error that quotes the text.
 LayerRule layerRuleFrom(const std::string& text, const WallLayers& otherwise);
 
-/// What holds for each tag: the surfaces, then the six sides of the domain. The last rule that matches holds; without
-/// one there are no layers. Throws Error for numbers out of range, and for a pattern other than `*` that matches
-/// nothing.
+/// Returns the layers of each tag: the surfaces, then the six sides of the domain. The last rule that matches holds;
+/// without one there are no layers. Throws Error for numbers out of range, and for a pattern other than `*` that
+/// matches nothing.
 std::vector<WallLayers> resolveLayerRules(const std::vector<LayerRule>& rules,
                                           const std::vector<std::string>& surfaceNames);
 

@@ -54,7 +54,7 @@ private:
   Index stackOf(Index face) const { return firstPrism[face + 1] - firstPrism[face]; }
   Index prismAt(Index face, Index height) const { return out.plainElements + firstPrism[face] + height; }
 
-  /// The point of a chain; beyond its end the last.
+  /// Returns a point of a chain; the last one beyond its end.
   Index chainPoint(Index point, Index place) const
   {
     const Index reached = std::min(place, counts[point]);
@@ -94,7 +94,8 @@ private:
     }
   }
 
-  /// Calls `each` with what points and elements of a mesh have, what it becomes, and the entries that this will have.
+  /// Calls `each` with each list of points or elements of a mesh, the list it becomes, and the number of entries that
+  /// this will have.
   template <typename Mesh, typename Each> void forLists(Mesh& from, Each&& each)
   {
     DualMesh& to = out.mesh;
@@ -148,7 +149,7 @@ private:
     out.heights.reserve(firstPrism.back());
   }
 
-  /// Corners of those of the plain mesh.
+  /// Sets the corners of elements of the plain mesh.
   void moveToCopies()
   {
     executor.forEach(out.wallPoints.empty() ? 0 : out.plainElements, 16384, [&](std::size_t e) {
@@ -159,7 +160,7 @@ private:
     });
   }
 
-  /// Boundary faces beside prisms.
+  /// Counts the boundary faces beside prisms.
   std::size_t countSides() const
   {
     std::size_t count = 0;
@@ -178,7 +179,7 @@ private:
     return BoundaryGraph::isEdge(code) && walls.roles[BoundaryGraph::faceOf(code)] != FaceRole::wall;
   }
 
-  /// How many prisms of a wall's face reach an edge of it.
+  /// Returns the number of prisms on a wall face that reach one of its edges.
   Index highestAt(const DualMesh& mesh, Index f, int edge) const
   {
     const BoundaryFace& face = plain.boundaryFaces[f];
@@ -210,7 +211,8 @@ private:
     out.heights.push_back(height);
   }
 
-  /// What is beside a prism across an edge of its wall.
+  /// Returns the neighbor of a prism across an edge of its wall: a prism, or a new boundary face on a side of the
+  /// domain.
   std::int32_t lateral(Index f, int edge, Index height, Index prism)
   {
     const BoundaryFace& face = plain.boundaryFaces[f];
@@ -267,7 +269,7 @@ private:
   const std::vector<Index>& counts;
   const Executor& executor;
   LayerMesh out;
-  /// Per point the first of its chain, per boundary face the first of its stack.
+  /// First point of each point's chain, and first element of each boundary face's stack.
   std::vector<Index> firstNew;
   std::vector<Index> firstPrism;
   std::size_t sideCount;

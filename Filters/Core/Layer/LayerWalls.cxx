@@ -15,12 +15,12 @@ std::array<Index, 4> sortedPoints(const DualMesh& mesh, Index f)
   std::array<Index, 4> points{cornerOf(mesh, face, 0), cornerOf(mesh, face, 1), cornerOf(mesh, face, 2),
                               cornerOf(mesh, face, 3)};
   std::sort(points.begin(), points.end());
-  // A triangle has one point twice, whichever; the points alone count.
+  // A triangle has one of its points twice; it does not matter which.
   std::fill(std::unique(points.begin(), points.end()), points.end(), noIndex);
   return points;
 }
 
-/// Whether a face beside this one has the very same points.
+/// True if a face beside this one has the same points.
 bool isDoubled(const DualMesh& mesh, const BoundaryGraph& graph, Index f)
 {
   const auto& across = graph.across[f];
@@ -32,7 +32,7 @@ bool isDoubled(const DualMesh& mesh, const BoundaryGraph& graph, Index f)
 class Counter
 {
 public:
-  /// `doubled` are faces beside one that has the very same points.
+  /// `doubled` marks faces beside one that has the same points.
   Counter(const DualMesh& m, const LayerOptions& o, const LayerWalls& w, const std::vector<char>& d)
       : mesh(m), options(o), walls(w), doubled(d)
   {
@@ -109,7 +109,7 @@ Vec3 wallNormal(const DualMesh& mesh, const BoundaryFace& face)
 
 Vec3 sideNormal(const BoundaryFace& face, const LayerOptions& options)
 {
-  // Surfaces that lie on a side do so on sides along the grid only.
+  // Surfaces lie only on sides that are parallel to the grid.
   return face.tag >= options.surfaceCount()
              ? options.sideNormals[face.tag - options.surfaceCount()]
              : Vec3((isUpper(face.direction) ? 1.0 : -1.0) * Vec3::Unit(axisOf(face.direction)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Where layers can grow, as far as the mesh's topology has to say.
+/// Finds where layers can grow, by the topology of the mesh.
 #pragma once
 
 #include "Layer/BoundaryGraph.h"
@@ -10,7 +10,7 @@
 
 namespace atria {
 
-/// Layers that nobody asked for, without which elements are not valid.
+/// Layers that nobody requested, but without which elements are not valid.
 enum class SupportingLayer : std::uint8_t
 {
   none,
@@ -20,7 +20,7 @@ enum class SupportingLayer : std::uint8_t
 
 struct LayerOptions
 {
-  /// By tag: see resolveLayerRules.
+  /// One entry per tag; see resolveLayerRules.
   std::vector<WallLayers> ofTag;
   /// Normals of the domain's sides by number, unit vectors; along the axes unless the domain is turned.
   std::vector<Vec3> sideNormals{-Vec3::UnitX(), Vec3::UnitX(),  -Vec3::UnitY(),
@@ -28,17 +28,17 @@ struct LayerOptions
   /// Thickness of a layer without a height of its own, relative to the size of the elements beside the wall
   /// (findWallSizes).
   double relativeThickness = 0.3;
-  /// The same for more layers than one, which else would be very thin.
+  /// The same for more than one layer; they would otherwise be very thin.
   double dividedThickness = 0.6;
-  /// Areas told of surfaces are sums of multiples of this, a power of two, so that they are the same in any order; 0
-  /// leaves them as they are. Square model units.
+  /// Unit to which reported areas of faces are rounded, a power of two in square model units, so that sums do not
+  /// depend on their order; 0 does not round.
   double areaUnit = 0.0;
-  /// By tag. Empty: none has such a layer.
+  /// One entry per tag; empty if none has such a layer.
   std::vector<SupportingLayer> supporting;
 
   SupportingLayer supportOf(Index tag) const { return supporting.empty() ? SupportingLayer::none : supporting[tag]; }
   bool isSupporting(Index tag) const { return supportOf(tag) != SupportingLayer::none; }
-  /// Whether a layer was asked for somewhere.
+  /// True if a layer is requested anywhere.
   bool isAsked() const
   {
     return std::ranges::any_of(ofTag, [&](const WallLayers& wall) {
@@ -46,12 +46,12 @@ struct LayerOptions
     });
   }
   Index surfaceCount() const { return static_cast<Index>(ofTag.size()) - sideNumbers; }
-  /// Whether several layers are asked for somewhere.
+  /// True if several layers are requested anywhere.
   bool isDivided() const
   {
     return std::ranges::any_of(ofTag, [](const WallLayers& wall) { return wall.layers > 1; });
   }
-  /// Whether a height is asked for somewhere.
+  /// True if a first height is requested anywhere.
   bool hasHeights() const
   {
     return std::ranges::any_of(ofTag, [](const WallLayers& wall) { return wall.firstHeight > 0.0; });
@@ -62,7 +62,7 @@ enum class FaceRole : std::uint8_t
 {
   wall,  ///< layers grow on it
   slide, ///< a side of the domain: layers of walls that meet it end on it
-  fixed  ///< a surface without layers: those beside it taper to nothing
+  fixed  ///< a surface without layers: layers beside it taper to nothing
 };
 
 /// The boundary of a mesh that has one sector at each of its points (splitSheets).
@@ -70,20 +70,22 @@ struct LayerWalls
 {
   BoundaryGraph graph;
   std::vector<FaceRole> roles;
-  /// Per point: the layers that its walls ask for, the least of them; 0 where no layer can be.
+  /// One entry per point: the smallest number of layers that its walls request; 0 if no layer is possible.
   std::vector<Index> counts;
   SettledPoints settled;
 };
 
-/// A point has layers if the faces about it are one closed fan and the walls in it one run, so that every edge of a
-/// wall has one face across; if no other face has the very same points as one of its walls; and if it is on no surface
-/// without layers.
+/// Finds the points that can have layers:
+/// - the faces around the point are one closed fan and the walls in it one run, so that every wall edge has one face
+///   across,
+/// - no face beside one of its walls has the same points as that wall,
+/// - the point is on no surface without layers.
 LayerWalls findLayerWalls(const DualMesh& mesh, const LayerOptions& options, const RunContext& context);
 
-/// Area vector of a boundary face, into the fluid.
+/// Returns the area vector of a boundary face, into the fluid.
 Vec3 wallNormal(const DualMesh& mesh, const BoundaryFace& face);
 
-/// The plane a face of role `slide` lies in.
+/// Returns the unit normal of the plane that a face of role `slide` lies in.
 Vec3 sideNormal(const BoundaryFace& face, const LayerOptions& options);
 
 } // namespace atria

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Prisms on walls have the axes of the element that had the wall.
+/// Corners and faces of prisms on walls, which have the axes of the element that had the wall.
 #pragma once
 
 #include "Dual/Mesh/DualMesh.h"
 
 namespace atria {
 
-/// The corner across the element along an axis.
+/// Returns the corner across the element along an axis.
 constexpr std::uint8_t acrossAxis(std::uint8_t corner, int axis)
 {
   return hexahedronCorner[hexahedronCorner[corner] ^ (1u << axis)];
@@ -24,7 +24,7 @@ constexpr bool hasCorner(int direction, std::uint8_t corner)
   return false;
 }
 
-/// The face beside that of `direction` along its edge i.
+/// Returns the direction of the face beside that of `direction` across its edge `edge`.
 constexpr int besideEdge(int direction, int edge)
 {
   for (int d = 0; d < 6; ++d)

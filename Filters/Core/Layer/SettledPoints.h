@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Points of layers whose positions are known before layers are grown.
 #pragma once
 
 #include "Support/Types.h"
@@ -9,20 +10,20 @@
 
 namespace atria {
 
-/// Points of a plain mesh that have been improved before, and places of the points of layers above them. Where there
-/// are none, all lists are empty.
+/// Points of a plain mesh that were improved before, and positions of the layer points above them. All lists are empty
+/// if there are none.
 struct SettledPoints
 {
-  /// Per point how many are above it; noIndex for those that have not been improved.
+  /// One entry per point: the number of layer points above it; noIndex if it has not been improved.
   std::vector<Index> counts;
-  /// Per point the place of the first one in `above`, which has them from the wall up.
+  /// One entry per point: the place of the first one in `above`, which lists them from the wall up.
   std::vector<Index> firsts;
   std::vector<Vec3> above;
-  /// Per point, whether it stays where it is, with what is above it.
+  /// One entry per point: 1 if it keeps its position, with all points above it.
   std::vector<char> fixed;
-  /// Per point, whether it is where the mesh was cut from a larger one: elements there are not what they seem.
+  /// One entry per point: 1 if the mesh was cut there from a larger one, so that some of its elements are missing.
   std::vector<char> atCut;
-  /// Whether layers begin as they are above these points, and not with one that is as high as all of them.
+  /// True if layers start as they are above these points; false if they start as one layer of the total height.
   bool areDivided = false;
 
   bool isEmpty() const { return counts.empty(); }
@@ -32,7 +33,7 @@ struct SettledPoints
   bool isAtCut(Index point) const { return !atCut.empty() && atCut[point] != 0; }
   std::span<const Vec3> aboveOf(Index point) const { return {above.data() + firsts[point], counts[point]}; }
 
-  /// So that no point is settled.
+  /// Marks all points as not settled.
   void open(std::size_t points)
   {
     counts.assign(points, noIndex);

@@ -9,7 +9,7 @@ namespace atria {
 
 namespace {
 
-/// An edge of the boundary, as an edge of the one of its two faces that runs along it from `from` to `to`.
+/// An edge of the boundary, given by the face, of its two, that runs along it from `from` to `to`.
 struct DirectedEdge
 {
   Index face;
@@ -38,14 +38,15 @@ std::optional<DirectedEdge> wallEdge(const DualMesh& mesh, const LayerWalls& wal
 
 std::vector<ZoneEdge> findZoneEdges(const DualMesh& mesh, const LayerWalls& walls)
 {
-  // By face and edge, of the two the lower, and by surface: faces that end there, seen from that face's element.
+  // Signed count of zone faces that end at an edge, seen from its lower face's element. The key is the lower
+  // face-and-edge code of the edge's two, and the surface.
   std::map<std::pair<Index, Index>, int> fronts;
   for (const ZoneFace& zone : mesh.zoneFaces)
   {
     const ReducedFace face = faceOf(mesh.corners[zone.element], zone.direction);
     for (int i = 0; i < face.count; ++i)
     {
-      // The faces about an edge, seen from inside an element, run along it in turn one way and the other.
+      // Successive faces around an edge, seen from inside an element, run along it in opposite directions.
       const Index from = face.points[i];
       const Index to = face.points[(i + 1) % face.count];
       if (const auto own = wallEdge(mesh, walls, to, from))

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds edges of walls at which zones end.
 #pragma once
 
 #include "Layer/LayerWalls.h"
@@ -8,14 +9,15 @@ namespace atria {
 /// An edge between two walls at which faces of a zone end.
 struct ZoneEdge
 {
-  Index face; ///< a boundary face that has it
+  Index face; ///< a boundary face that has the edge
   int edge;   ///< the edge's number there
   Index tag;
-  SheetSide side; ///< of the zone's surface, on which the element of `face` lies
+  SheetSide side; ///< side of the zone's surface on which the element of `face` lies
 };
 
-/// The edges between walls at which faces of zones end, by face and edge, each once: layers on either side of them meet
-/// in faces of the zone. Where several faces of a zone end in one edge, they go on as one if their number is odd.
+/// Returns the edges between walls at which faces of zones end, each once, sorted by face and edge. Layers on either
+/// side of such an edge meet in faces of the zone. Several faces of a zone that end in one edge continue as one if
+/// their number is odd.
 std::vector<ZoneEdge> findZoneEdges(const DualMesh& mesh, const LayerWalls& walls);
 
 } // namespace atria

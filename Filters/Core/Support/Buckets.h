@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Lists of numbers, one list per bucket, in two flat arrays.
 #pragma once
 
 #include "Support/Buffer.h"
@@ -12,7 +13,7 @@
 
 namespace atria {
 
-/// A list of numbers for each of some things, one list behind the other.
+/// One list of numbers per bucket; the lists are stored one behind the other.
 struct Buckets
 {
   Buffer<Index> offsets;
@@ -24,8 +25,9 @@ struct Buckets
   }
 };
 
-/// `forPairs(use)` calls use(bucket, entry) for all entries, on any threads of the executor, twice the same. Entries of
-/// a bucket are in the order of the calls on one thread, and in no order on several. O(count + entries).
+/// Fills `count` buckets. `forPairs(use)` calls use(bucket, entry) for all entries, on any threads of the executor; it
+/// runs twice and must give the same pairs. Entries of a bucket are in the order of the calls on one thread, and
+/// unordered on several. O(count + entries).
 template <typename ForPairs> Buckets fillBuckets(std::size_t count, const Executor& executor, ForPairs&& forPairs)
 {
   const bool isAlone = executor.threads() == 1;
@@ -44,7 +46,8 @@ template <typename ForPairs> Buckets fillBuckets(std::size_t count, const Execut
   return out;
 }
 
-/// In rising order, where entries were called in it.
+/// Fills buckets whose entries are in rising order. On one thread, `forPairs` must give the entries of a bucket in that
+/// order.
 template <typename ForPairs> Buckets fillInOrder(std::size_t count, const Executor& executor, ForPairs&& forPairs)
 {
   Buckets out = fillBuckets(count, executor, forPairs);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Vectors whose entries stay uninitialized until they are written, for large arrays.
 #pragma once
 
 #include "Support/Memory.h"
@@ -10,10 +11,10 @@
 
 namespace atria {
 
-/// Leaves entries of a vector that grows as they are, where they need no constructor: large arrays then are first
-/// written, and given their memory, by the loops that fill them on all threads. Blocks of half a gigabyte and more are
-/// asked for in large pages: the system takes back a gigabyte of these in 3 ms instead of 40, and who aborts waits for
-/// gigabytes to be freed.
+/// Leaves new entries of a vector uninitialized if they need no constructor. Large arrays are then first written, and
+/// get their memory, in the loops that fill them on all threads. Blocks of half a gigabyte and more are requested in
+/// large pages: the system takes back a gigabyte of these in 3 ms instead of 40, and a user who aborts waits until
+/// gigabytes are freed.
 template <typename T> struct UninitializedAllocator : std::allocator<T>
 {
   template <typename U> struct rebind
@@ -37,7 +38,7 @@ template <typename T> struct UninitializedAllocator : std::allocator<T>
   }
 };
 
-/// A vector whose entries are not set by `resize`.
+/// Vector whose `resize` leaves new entries unset.
 template <typename T> using Buffer = std::vector<T, UninitializedAllocator<T>>;
 
 /// Gives back the memory of a list that is not needed any more, which assigning {} would keep.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Values as bytes, for processes of the same program on machines of one kind.
+/// Writes values as bytes and reads them back, for processes of the same program on machines of one kind.
 #pragma once
 
 #include <cstddef>
@@ -48,7 +48,7 @@ private:
   Bytes bytes_;
 };
 
-/// Reads them in the same order.
+/// Reads values in the order in which ByteWriter appended them.
 class ByteReader
 {
 public:

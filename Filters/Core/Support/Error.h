@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Exceptions of the core.
 #pragma once
 
 #include <stdexcept>

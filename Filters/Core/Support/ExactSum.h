@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Sums that do not depend on the order of what is added up, nor on what was added up before.
+/// Sums that do not depend on the order of their terms, nor on how these were grouped.
 #pragma once
 
 #include <cmath>
 
 namespace atria {
 
-/// What numbers are split into multiples of, so that no sum of them is rounded: sums of magnitudes up to 2^9 times
-/// `scale`, of up to 2^29 numbers. What is lost of each is less than 2^-68 of the scale.
+/// Units that numbers are split into multiples of, so that their sums are not rounded. This holds for sums of
+/// magnitudes up to 2^9 times `scale`, of up to 2^29 numbers. Each number loses less than 2^-68 of the scale.
 struct SumUnits
 {
   explicit SumUnits(double scale) : coarse(std::exp2(std::ceil(std::log2(scale)) - 44.0)) {}

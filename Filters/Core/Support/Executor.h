@@ -33,7 +33,7 @@ public:
   }
 };
 
-/// One thread.
+/// Runs loops on the calling thread.
 class SerialExecutor : public Executor
 {
 public:
@@ -43,8 +43,9 @@ public:
 
 class ProgressMonitor;
 
-/// Runs loops on another executor, and ends them soon after a monitor says so, with Aborted. The monitor is asked
-/// before every range, and at times by the thread that runs the loop, also where the other executor has that one wait.
+/// Runs loops on another executor, and throws Aborted soon after a monitor says to stop. The monitor is asked before
+/// every range. The thread that runs the loop also asks from time to time, even if the other executor lets that thread
+/// wait.
 class AbortableExecutor : public Executor
 {
 public:

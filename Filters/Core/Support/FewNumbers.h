@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// A small set of numbers in an array of fixed size.
 #pragma once
 
 #include "Support/Types.h"
@@ -7,11 +8,11 @@
 
 namespace atria {
 
-/// Different numbers, no more than `most`, which are few.
+/// Set of at most `most` distinct numbers. The search is linear, so `most` should be small.
 template <std::size_t most> class FewNumbers
 {
 public:
-  /// False where the number would be one too many.
+  /// Adds a number unless it is there already. Returns false if there is no room for it.
   bool add(Index number)
   {
     const auto end = numbers_.begin() + count_;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Returns freed memory to the system.
 #pragma once
 
 #if __has_include(<malloc.h>)
@@ -7,8 +8,8 @@
 
 namespace atria {
 
-/// Gives back to the system all that was freed, also between what is still used: after a stage that needed much, where
-/// there is to be room for other processes. Does nothing where the C library is not glibc.
+/// Returns all freed memory to the system, also that between blocks still in use. Call it after a stage that needed
+/// much memory if other processes need room. Does nothing if the C library is not glibc.
 inline void giveBackFreedMemory()
 {
 #ifdef M_TRIM_THRESHOLD

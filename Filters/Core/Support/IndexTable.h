@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Hash table that finds the index of an equal thing.
 #pragma once
 
 #include "Support/Memory.h"
@@ -9,7 +10,7 @@
 
 namespace atria {
 
-/// Spreads the bits of a number over all of it (the finaliser of splitmix64).
+/// Spreads the bits of a number over all 64 bits (the finalizer of splitmix64).
 inline std::uint64_t mixed(std::uint64_t x)
 {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
@@ -17,7 +18,7 @@ inline std::uint64_t mixed(std::uint64_t x)
   return x ^ (x >> 31);
 }
 
-/// A hash table of indices into something else, with linear probing. Entries keep a part of their hash, so that unequal
+/// Hash table of indices into another list, with linear probing. Entries keep a part of their hash, so that unequal
 /// things are hardly ever compared.
 class IndexTable
 {
@@ -29,8 +30,8 @@ public:
     slots.resize(size);
   }
 
-  /// The index added first of those for which `isSame` says true, or `index`, which is then added. The hash of equal
-  /// things must be equal. At most as many may be added as were expected.
+  /// Returns the first index added for which `isSame` is true. If there is none, adds `index` and returns it. Equal
+  /// things must have equal hashes. At most `expected` indices may be added.
   template <class IsSame> Index findOrAdd(std::uint64_t hash, Index index, IsSame&& isSame)
   {
     const std::size_t mask = slots.size() - 1;

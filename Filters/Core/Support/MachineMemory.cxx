@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The number in a file of a control group; unlimited where it holds none, such as "max".
+/// Returns the number in a file of a control group; unlimitedMemory if it holds no number but a word such as "max".
 std::size_t limitIn(const fs::path& file)
 {
   std::ifstream in(file);
@@ -25,8 +25,8 @@ std::size_t limitIn(const fs::path& file)
   return in >> bytes && bytes > 0 ? bytes : unlimitedMemory;
 }
 
-/// The least limit of a group and of those around it. In a container the group's path may be that outside of it: what
-/// is at the top then is its own.
+/// Returns the smallest limit of a group and of the groups around it. In a container, the group's path may be the one
+/// outside the container; the limit at the top of the hierarchy is then its own.
 std::size_t limitOf(const fs::path& hierarchy, const std::string& group, const char* file)
 {
   std::size_t limit = limitIn(hierarchy / file);
@@ -40,7 +40,7 @@ std::size_t limitOf(const fs::path& hierarchy, const std::string& group, const c
 }
 
 #if __has_include(<sys/resource.h>) && __has_include(<unistd.h>)
-/// Of a type that differs from one C library to another.
+/// The type of `resource` differs between C libraries.
 template <typename Resource> std::size_t resourceLimit(Resource resource)
 {
   rlimit limit{};

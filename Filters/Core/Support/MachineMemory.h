@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Limit of the memory that this process may use.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +11,13 @@ namespace atria {
 
 inline constexpr std::size_t unlimitedMemory = std::numeric_limits<std::size_t>::max();
 
-/// Bytes of memory this process may use at most: the machine's, or less where its container or its shell (ulimit)
-/// allows less. unlimitedMemory where the system does not say.
+/// Returns the most memory this process may use, in bytes: the machine's, or less if its container or shell (ulimit)
+/// allows less. Returns unlimitedMemory if the system does not say.
 std::size_t memoryOfMachine();
 
-/// The least limit of a process' control groups, by which containers are limited, and of the groups around them.
-/// `membership` is the text of /proc/self/cgroup, `root` where the groups' files are. unlimitedMemory without any.
+/// Returns the smallest memory limit of a process's control groups and of the groups around them, in bytes. Containers
+/// are limited by control groups. `membership` is the text of /proc/self/cgroup, `root` the folder of the groups'
+/// files. Returns unlimitedMemory if there is no limit.
 std::size_t controlGroupLimit(const std::filesystem::path& root, const std::string& membership);
 
 } // namespace atria

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Requests large pages for large arrays, and controls when freed memory returns to the system.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +16,9 @@
 
 namespace atria {
 
-/// For programs, at their start: what the stages of a mesh free stays with the process for the next stage, but for
-/// blocks above a gigabyte. Else the system hands out each large array anew, page by page, which is a fifth of the time
-/// a mesh takes. Does nothing where the C library is not glibc.
+/// Keeps memory that stages free with the process, except for blocks above a gigabyte. Programs call it at their start.
+/// Otherwise the system hands out each large array anew, page by page, which takes a fifth of the time of a mesh. Does
+/// nothing if the C library is not glibc.
 inline void keepFreedMemory()
 {
 #ifdef M_MMAP_THRESHOLD
@@ -27,8 +28,8 @@ inline void keepFreedMemory()
 }
 
 #if __has_include(<sys/mman.h>)
-/// Advises the system about the large pages that lie within a block, and returns how far they reach. Where it is
-/// refused all goes on as before.
+/// Advises the system about the large pages that lie within a block. Returns how many bytes they reach from `start`. A
+/// refusal is ignored.
 inline std::size_t advise(void* start, std::size_t bytes, int advice)
 {
   constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
@@ -44,9 +45,9 @@ inline std::size_t advise(void* start, std::size_t bytes, int advice)
 }
 #endif
 
-/// For memory about to be written for the first time: the system may hand it out in pages of two megabytes. Asking for
-/// it page by page is up to a third of the time it takes to read a large file. Does nothing for small blocks, and where
-/// the system has no such pages.
+/// Allows the system to hand out memory in pages of two megabytes; call it before the memory is first written. Small
+/// pages take up to a third of the time it takes to read a large file. Does nothing for small blocks, or if the system
+/// has no such pages.
 inline void useLargePages([[maybe_unused]] void* start, [[maybe_unused]] std::size_t bytes)
 {
 #ifdef MADV_HUGEPAGE
@@ -54,8 +55,8 @@ inline void useLargePages([[maybe_unused]] void* start, [[maybe_unused]] std::si
 #endif
 }
 
-/// Gives memory back to the system of which nothing is needed any longer, long before it is freed: what it held is
-/// gone. Whole pages of two megabytes only; returns how many bytes from `start` on are dealt with.
+/// Returns memory to the system before it is freed; its contents are lost. Only whole pages of two megabytes are
+/// returned. Returns the number of bytes from `start` that are done.
 inline std::size_t forgetPages([[maybe_unused]] void* start, [[maybe_unused]] std::size_t bytes)
 {
 #ifdef MADV_DONTNEED
@@ -65,14 +66,14 @@ inline std::size_t forgetPages([[maybe_unused]] void* start, [[maybe_unused]] st
 #endif
 }
 
-/// Makes room in a vector, in large pages.
+/// Reserves room in a vector, in large pages.
 template <class Vector> void reserveLarge(Vector& vector, std::size_t count)
 {
   vector.reserve(count);
   useLargePages(vector.data(), vector.capacity() * sizeof(typename Vector::value_type));
 }
 
-/// Memory in large pages for resources that ask for much at a time.
+/// Memory in large pages, for resources that request large blocks.
 class LargePages : public std::pmr::memory_resource
 {
 private:

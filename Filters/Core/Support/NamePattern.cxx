@@ -17,8 +17,8 @@ std::string plain(std::string_view name)
   return text;
 }
 
-/// Letters to be put in, taken out or changed (Levenshtein 1966), or to be exchanged with their neighbor, to make one
-/// text the other.
+/// Returns how many letters must be inserted, removed or changed (Levenshtein 1966), or swapped with their neighbor, to
+/// turn one text into the other.
 std::size_t slipsBetween(const std::string& a, const std::string& b)
 {
   std::vector<std::size_t> twoAgo, before(b.size() + 1), now(b.size() + 1);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Patterns for names, and suggestions for misspelled names.
 #pragma once
 
 #include <string>
@@ -7,14 +8,14 @@
 
 namespace atria {
 
-/// Whether `name` as a whole matches `pattern`: `*` any text, `?` any one character.
+/// True if the whole of `name` matches `pattern`: `*` is any text, `?` any one character.
 bool matchesPattern(std::string_view pattern, std::string_view name);
 
-/// That of the names which `wanted`, a name or a pattern, is likely to be a slip of; empty without one. Capitals count
-/// for nothing.
+/// Returns the name that `wanted`, a name or a pattern, is probably a misspelling of; empty if there is none. Case is
+/// ignored.
 std::string nearestName(std::string_view wanted, const std::vector<std::string>& names);
 
-/// For messages about a name that is not there: the nearest one, and the first of those there are.
+/// Text for messages about a name that does not exist: the nearest name, and the first of the existing ones.
 std::string namesInstead(std::string_view wanted, const std::vector<std::string>& names);
 
 } // namespace atria

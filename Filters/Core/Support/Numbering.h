@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Maps identities to consecutive numbers, and compacts lists by such numbers.
 #pragma once
 
 #include "Support/Types.h"
@@ -9,13 +10,13 @@
 
 namespace atria {
 
-/// Numbers by identity, in a hash table with linear probing; or in a list of all where that is no larger.
+/// Map from identities to numbers: a hash table with linear probing, or a list of all identities if that is no larger.
 class Numbering
 {
 public:
-  /// There is room for as many as are expected.
+  /// Makes room for `expected` identities.
   explicit Numbering(std::size_t expected) { makeRoom(expected); }
-  /// The same for identities below `end`.
+  /// The same, for identities below `end`.
   Numbering(std::size_t expected, std::size_t end)
   {
     if (end * sizeof(Index) <= slotsFor(expected) * sizeof(Slot))
@@ -28,7 +29,7 @@ public:
     }
   }
 
-  /// Its number, which is its place in the list: where it was not known, it is appended.
+  /// Returns the number of `id`, its place in `list`. An unknown `id` is appended to the list.
   Index findOrAdd(Index id, std::vector<Index>& list)
   {
     if (!numbers.empty())
@@ -52,7 +53,7 @@ public:
     }
     return slot.number;
   }
-  /// Of one that is not known, where there is room.
+  /// Sets the number of an unknown `id`. There must be room for it.
   void add(Index id, Index number)
   {
     if (numbers.empty())
@@ -64,7 +65,7 @@ public:
       numbers[id] = number;
     }
   }
-  /// noIndex where it is not known.
+  /// Returns the number of `id`; noIndex if it is unknown.
   Index of(Index id) const { return numbers.empty() ? slotOf(id).number : numbers[id]; }
 
 private:
@@ -101,10 +102,10 @@ private:
   }
 
   std::vector<Slot> slots;
-  std::vector<Index> numbers; ///< by identity
+  std::vector<Index> numbers; ///< one entry per identity; empty if the hash table is used
 };
 
-/// The numbers of what stays, in order; noIndex for what does not.
+/// Numbers the entries that stay, in order; the others get noIndex.
 inline std::vector<Index> numbersOfKept(const std::vector<char>& stays)
 {
   std::vector<Index> numbers(stays.size(), noIndex);
@@ -119,7 +120,8 @@ inline std::vector<Index> numbersOfKept(const std::vector<char>& stays)
   return numbers;
 }
 
-/// Moves what stays of a list to its new places, by such numbers of all of its entries at least.
+/// Moves the entries that stay to their new places and drops the others. `numbers` comes from numbersOfKept and has at
+/// least one entry per entry of `list`.
 template <typename List> void compact(List& list, const std::vector<Index>& numbers)
 {
   std::size_t count = 0;

@@ -9,17 +9,17 @@ namespace atria {
 
 struct PatternRule
 {
-  /// In double quotes where it holds blanks; see matchesPattern.
+  /// In double quotes in the text if it holds blanks; see matchesPattern.
   std::string pattern;
   std::vector<double> numbers;
 };
 
-/// Throws Error where the text is no pattern with `least` to `most` numbers behind it. `kind` and `form` are for its
-/// text: "size", "PATTERN SIZE [FEATURESIZE]".
+/// Reads a rule from text. Throws Error if the text is not a pattern followed by `least` to `most` numbers. `kind` and
+/// `form` are for the error's text: "size", "PATTERN SIZE [FEATURESIZE]".
 PatternRule patternRuleFrom(const std::string& text, std::size_t least, std::size_t most, const char* kind,
                             const char* form);
 
-/// The text from which the very same rule is read.
+/// Returns the text from which patternRuleFrom reads the same rule.
 std::string textOf(const PatternRule& rule);
 
 } // namespace atria

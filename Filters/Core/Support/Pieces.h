@@ -40,7 +40,7 @@ template <typename T> T scan(std::vector<T>& counts)
   return sum;
 }
 
-/// What `collect(begin, end, out)` appends for pieces of [0, count), in order.
+/// Returns all that `collect(begin, end, out)` appends for pieces of [0, count), in order.
 template <typename Collect>
 std::vector<Index> collectInOrder(std::size_t count, const Executor& executor, Collect&& collect)
 {
@@ -62,7 +62,7 @@ std::vector<Index> collectInOrder(std::size_t count, const Executor& executor, C
   return all;
 }
 
-/// The numbers below `count` that `isChosen`, in order.
+/// Returns the numbers below `count` for which `isChosen` is true, in order.
 template <typename IsChosen>
 std::vector<Index> chosenNumbers(std::size_t count, const Executor& executor, IsChosen&& isChosen)
 {
@@ -77,7 +77,7 @@ std::vector<Index> chosenNumbers(std::size_t count, const Executor& executor, Is
   });
 }
 
-/// Of the errors several threads meet, keeps the one that a single thread would meet first.
+/// Keeps the error that a single thread would meet first, out of those that several threads meet.
 class FirstError
 {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Port through which the core tells how far it is and learns that it should stop.
+/// Port through which the core reports its progress and learns that it should stop.
 #pragma once
 
 #include "Support/Error.h"
@@ -62,7 +62,7 @@ private:
   double end;
 };
 
-/// Says of another monitor only whether to stop: for work that is one of many at the same time.
+/// Passes on only the request to stop of another monitor, for work that is one of many tasks at the same time.
 class StopMonitor : public ProgressMonitor
 {
 public:

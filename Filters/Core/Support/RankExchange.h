@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Port through which the core talks with the other ranks that make one mesh.
+/// Port through which the core exchanges data with the other ranks that make one mesh.
 #pragma once
 
 #include "Support/Bytes.h"
@@ -11,7 +11,8 @@
 
 namespace atria {
 
-/// Ranks have found something else where their shares of a mesh meet: one of them has to make the whole.
+/// Thrown if ranks found different results where their shares of a mesh meet. One of them has to make the whole mesh
+/// then.
 class RanksDisagree : public Error
 {
   using Error::Error;
@@ -24,20 +25,20 @@ public:
   virtual ~RankExchange() = default;
   virtual int rank() const = 0;
   virtual int ranks() const = 0;
-  /// Sends each rank what is for it, itself included, and returns what came from each. Throws where another rank has
-  /// failed instead: Aborted if it was aborted, RanksDisagree if that is what it threw, else Error with its message.
+  /// Sends each rank its entry of `toRanks`, itself included, and returns one entry from each rank. Throws if another
+  /// rank failed: Aborted if that was aborted, RanksDisagree if it threw that, else Error with its message.
   virtual std::vector<Bytes> exchange(std::vector<Bytes> toRanks) = 0;
-  /// The same with one thing for all ranks.
+  /// The same, with the same bytes for all ranks.
   virtual std::vector<Bytes> gather(const Bytes& own)
   {
     return exchange(std::vector<Bytes>(static_cast<std::size_t>(ranks()), own));
   }
-  /// Does what all ranks do together. False, on all of them, where any throws RanksDisagree: they may try something
-  /// else then. Throws on all what else any throws, as exchange() says.
+  /// Runs `work` on all ranks together. Returns false on all of them if any throws RanksDisagree; they may try
+  /// something else then. Any other exception is thrown on all ranks, as exchange() says.
   virtual bool agreeOn(const std::function<void()>& work) = 0;
 };
 
-/// The values that an archive takes of something, as bytes; see ByteWriter.
+/// Returns the values as bytes; see ByteWriter.
 template <typename... T> Bytes bytesOf(const T&... values)
 {
   ByteWriter writer;
@@ -50,7 +51,7 @@ template <typename... T> void readBytes(const Bytes& bytes, T&... values)
   (reader(values), ...);
 }
 
-/// What each rank has, on all ranks, by rank.
+/// Gathers the value of each rank on all ranks. One entry per rank.
 template <typename T> std::vector<T> gatherAll(RankExchange& ranks, const T& own)
 {
   std::vector<T> out;
@@ -61,7 +62,7 @@ template <typename T> std::vector<T> gatherAll(RankExchange& ranks, const T& own
   return out;
 }
 
-/// The sums over all ranks of lists that are equally long.
+/// Returns the sums over all ranks, entry by entry. The lists must be equally long.
 template <typename List> List sumOverRanks(RankExchange& ranks, const List& own)
 {
   List sums = own;
@@ -73,13 +74,13 @@ template <typename List> List sumOverRanks(RankExchange& ranks, const List& own)
   return sums;
 }
 
-/// Whether something is so on any rank.
+/// True if `here` is true on any rank.
 inline bool isAnywhere(bool here, RankExchange& ranks)
 {
   return sumOverRanks(ranks, std::array{here ? std::size_t{1} : 0})[0] > 0;
 }
 
-/// Lists of values, one for each rank, for those lists that are for this one.
+/// Sends one list to each rank. Returns the lists that the ranks sent to this one.
 template <typename T>
 std::vector<std::vector<T>> exchangeLists(RankExchange& ranks, const std::vector<std::vector<T>>& toRanks)
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Executor and progress, handed together to each stage.
 #pragma once
 
 #include "Support/Executor.h"
@@ -6,7 +7,7 @@
 
 namespace atria {
 
-/// What a stage needs from its surroundings.
+/// Services that a stage gets from its caller.
 struct RunContext
 {
   const Executor& executor;

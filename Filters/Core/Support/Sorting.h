@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Sorts lists on all threads, and keeps sorted lists unique.
 #pragma once
 
 #include "Support/RunContext.h"
@@ -11,7 +12,7 @@
 
 namespace atria {
 
-/// Sorts on all threads, by pieces that are then merged. Of entries that compare equal the order may be any: what is to
+/// Sorts on all threads, in pieces that are then merged. Entries that compare equal end in any order; results that must
 /// be the same for any number of threads must not depend on it.
 template <typename T, typename Less> void sortOnThreads(std::vector<T>& list, const RunContext& context, Less less)
 {
@@ -39,14 +40,14 @@ template <typename T> void sortOnThreads(std::vector<T>& list, const RunContext&
   sortOnThreads(list, context, std::less<>());
 }
 
-/// Every entry once, in rising order.
+/// Sorts a list in rising order and removes duplicates.
 template <typename T> void sortUnique(std::vector<T>& list)
 {
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-/// Adds the entries of one such list to another.
+/// Adds the entries of one sorted unique list to another.
 template <typename T> void mergeUnique(std::vector<T>& list, const std::vector<T>& more)
 {
   std::vector<T> all;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Clock that measures the wall time of stages.
 #pragma once
 
 #include <chrono>
@@ -8,11 +9,12 @@
 
 namespace atria {
 
-/// Wall time of named stages, in the order in which they ended.
+/// Wall time of named stages in seconds, in the order in which they first ended.
 class StageClock
 {
 public:
-  /// Ends a stage that began at the last call, or when the clock was made. A stage that ended before goes on.
+  /// Ends a stage that began at the last call, or when the clock was made. The time is added if a stage of that name
+  /// ended before.
   void lap(const std::string& stage)
   {
     const auto now = std::chrono::steady_clock::now();

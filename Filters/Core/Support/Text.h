@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What is asked of texts at many places. Letters are those of ASCII.
+/// Joins texts and compares them without case. Letters are those of ASCII.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace atria {
 
-/// The texts one after the other.
+/// Returns the texts one after the other, with `between` between them.
 std::string joined(const std::vector<std::string>& texts, std::string_view between = ", ");
 
-/// With small letters.
+/// Returns the text in lower case.
 std::string lowered(std::string_view text);
 
-/// Whether two texts differ in capitals at most.
+/// True if two texts are equal apart from case.
 bool sameButForCapitals(std::string_view a, std::string_view b);
 
 } // namespace atria

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Union-find over indices.
 #pragma once
 
 #include "Support/Types.h"
@@ -23,7 +24,7 @@ public:
     std::iota(parents.begin(), parents.end(), Index{0});
   }
 
-  /// For any number of threads at once, while none joins.
+  /// Returns the root of the set of `i`. Any number of threads may call it at once, while none joins.
   Index find(Index i)
   {
     const auto parentOf = [&](Index of) { return std::atomic_ref(parents[of]).load(std::memory_order_relaxed); };

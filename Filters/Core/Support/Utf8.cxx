@@ -5,7 +5,7 @@ namespace atria {
 
 namespace {
 
-/// Length of the UTF-8 character at `i`, 0 where there is none.
+/// Returns the length of the UTF-8 character at `i` in bytes; 0 if there is none.
 std::size_t utf8Length(std::string_view text, std::size_t i)
 {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };

@@ -49,7 +49,7 @@ Pattern patternOf(const std::string& text)
   return out;
 }
 
-/// Of texts of one pattern, the names in the place where they first differ; empty where they are all the same.
+/// Returns the names at the first place where texts of one pattern differ in names; empty if they do not differ.
 std::vector<std::string> differingNames(const std::vector<Pattern>& alike)
 {
   for (std::size_t place = 0; place < alike.front().names.size(); ++place)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Warnings in the order in which a reader needs them.
+/// Warnings, sorted by gravity and merged if they are alike.
 #pragma once
 
 #include <cstddef>
@@ -21,14 +21,14 @@ struct Warning
 {
   std::string text; ///< a sentence that says what to do
   Gravity gravity = Gravity::usual;
-  std::size_t count = 1; ///< how many it stands for
+  std::size_t count = 1; ///< number of warnings it stands for
 };
 
-/// Returns the gravest first. Those of one gravity keep their order.
+/// Returns the gravest first. Warnings of equal gravity keep their order.
 std::vector<Warning> byGravity(std::vector<Warning> warnings);
 
-/// Makes one of those whose texts differ only in names in quotes and in numbers: the first text, how many more there
-/// are, and the first names of these. Keeps the order of the first ones. O(length of all texts).
+/// Merges warnings whose texts differ only in quoted names and in numbers. The merged text is the first one, with the
+/// number of others and the first names that differ. Keeps the order of the first ones. O(length of all texts).
 std::vector<Warning> counted(const std::vector<Warning>& warnings);
 
 } // namespace atria

@@ -8,9 +8,9 @@ namespace atria {
 
 namespace {
 
-/// Curves of an octant between which places are looked for; with more there are too many pairs to try.
+/// Curves of an octant between which places are searched; with more there are too many pairs to try.
 constexpr std::size_t mostCurves = 6;
-/// How far beyond a single cut a point is put, against the edge, if nothing else limits it.
+/// Distance beyond a single cut at which a point is put if nothing else limits it, as a part of the edge.
 constexpr double stepBeyond = 0.1;
 
 /// Curves that bound a chart in common have a strip of it between them. Others have a gap between them, and a grid
@@ -116,7 +116,7 @@ private:
     }
   }
 
-  /// Whether neighboring cuts are of two sheets that meet there.
+  /// True if two neighboring cuts are of different sheets that meet in the curve of the edge.
   bool joinsCuts(std::span<const SurfaceCrossing> cuts, const FeatureEdge& edge) const
   {
     const SurfaceModel& model = grid.model();
@@ -150,8 +150,8 @@ private:
     }
   }
 
-  /// Places on the other side of sheets of the leaf looked at that do not meet in it, by the shortest way: as its edges
-  /// may run along them, or cut them far off. Beyond the boundary edge of a sheet it has no other side.
+  /// Places on the other side of sheets of the leaf looked at that do not meet in it, by the shortest way, as its edges
+  /// may run along them or cut them far off. Beyond the boundary edge of a sheet it has no other side.
   void addAcrossSheets()
   {
     const Vec3 p = toVector(grid.places().place(point));

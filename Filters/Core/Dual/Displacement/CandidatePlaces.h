@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Lists places to which a grid point may move so that less is unresolved.
 #pragma once
 
 #include "Dual/Displacement/MovingGrid.h"
@@ -40,10 +41,10 @@ struct CandidatePlaces
   }
 };
 
-/// How far a point may move along each axis: a part of its shortest edge, in lattice units.
+/// Returns how far a point may move along each axis: a part of its shortest edge, in lattice units.
 std::int64_t farthestReach(const MovingGrid& grid, Index point);
 
-/// Places a grid point may go to for less to be unresolved: home; between the cuts of its edges and a step beyond
+/// Returns places where a grid point may leave less unresolved: home; between the cuts of its edges and a step beyond
 /// them; on the other side of a curve where the two sheets that cut an edge meet; between curves that an octant's
 /// vertex cannot both be on. With `across`, also the shortest way across sheets of its octants that do not meet there:
 /// alone, such moves may take a sheet out of the octants beside its boundary edge.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Displaces grid points so that the octree resolves thin gaps and walls.
 #pragma once
 
 #include "Dual/Displacement/ZonesApart.h"
@@ -22,8 +23,8 @@ struct DisplacedGrid
 /// Planes of points enter the gaps (GapPlanes.h); what is left is searched point by point (PlaceSearch.h). No move
 /// opens a way between zones that the octree's own grid keeps apart: points through which they would meet go back again
 /// (ZonesApart.h); `findZones`, if given, knows these, and is called once. `undisplaced` are the crossings of the
-/// octree's own grid, `points`. The cost is that of the places in question, and going through the cut edges a few
-/// times. Places are looked for on all threads; the moves are made in the order of points.
+/// octree's own grid, `points`. The cost is that of the places in question, and of a few passes over the cut edges.
+/// Places are searched on all threads; the moves are made in the order of points.
 DisplacedGrid displaceGrid(const GridPoints& points, Crossings undisplaced, const MeshingContext& context,
                            const WideZoneFinder& findZones = {});
 

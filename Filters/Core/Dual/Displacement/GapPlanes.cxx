@@ -17,7 +17,8 @@ constexpr double rounding = 1e-6;
 /// A point in a gap stays where it is if it is farther than this part of the gap's width from both sheets.
 constexpr double thinnestClearance = 0.1;
 
-/// Where more pairs of sheets are side by side than those of four, an octant and those about it have no planes for all.
+/// Pairs of sheets side by side in a leaf, as many as four sheets have. An octant and those around it have no planes
+/// for more.
 constexpr std::size_t mostPairs = 6;
 
 /// Between the normal of a sheet in the stack of a gap beside it and the way across.
@@ -93,7 +94,7 @@ private:
     return pairs;
   }
 
-  /// Those in the leaves about the leaf's corners, by chart.
+  /// Gathers the triangles in the leaves around the leaf's corners, sorted by chart.
   void gatherTriangles(Index leaf)
   {
     leaves.clear();
@@ -127,7 +128,8 @@ private:
     }
   }
 
-  /// Of triangles that are equally near the first. That of the nearest box is looked at first, as it rules out most.
+  /// Returns the point of a chart nearest to p; the first of equally near triangles wins. The triangle of the nearest
+  /// box goes first, as it rules out most.
   std::optional<Nearest> nearestOn(Index chart, const Vec3& p) const
   {
     const auto first = std::ranges::lower_bound(triangles, std::pair(chart, Index{0}));
@@ -165,7 +167,7 @@ private:
     return Nearest{at, triangles[begin + best.second].second};
   }
 
-  /// The nearest points of the charts about a point, by chart.
+  /// Returns the point nearest to p on each chart, with the chart.
   std::vector<std::pair<Index, Nearest>> nearestOnAll(const Vec3& p) const
   {
     std::vector<std::pair<Index, Nearest>> found;
@@ -188,8 +190,8 @@ private:
     Vec3 normal;
   };
 
-  /// The gap between two sheets near p, from the point nearest to p on one, across to the other and back. Where one
-  /// sheet ends it is the first, as what is nearest to p on the other lies beyond the gap. In a wedge the normal is
+  /// The gap between two sheets near p, from the point nearest to p on one, across to the other and back. If one sheet
+  /// ends, it starts on that one, as the point of the other nearest to p lies beyond the gap. In a wedge the normal is
   /// that of the plane in its middle.
   std::optional<Gap> gapNear(const Vec3& p, Index a, Index b) const
   {
@@ -267,7 +269,7 @@ private:
     return std::abs(model().normal(sheet.triangle).normalized().dot(direction));
   }
 
-  /// Where a sheet of a stack is, from the unresolved point along the normal.
+  /// Position of a sheet in a stack, counted from the unresolved point along the normal.
   struct Level
   {
     double at;
@@ -275,7 +277,8 @@ private:
     bool operator<(const Level& other) const { return std::tie(at, chart) < std::tie(other.at, other.chart); }
   };
 
-  /// The sheets of a gap, and those that run along it beside it; sorted. The first two are where those of the gap are.
+  /// The sheets of a gap, and those that run along it beside it; sorted. `toA` and `toB` are the positions of the gap's
+  /// own two.
   struct Stack
   {
     double toA;
@@ -365,7 +368,7 @@ private:
     }
   }
 
-  /// How far along the normal the middle between two sheets is, near a first guess.
+  /// Returns how far along the normal the middle between two sheets is, near a first guess.
   double middleBetween(const Vec3& p, double guess, const Vec3& normal, Index a, Index b) const
   {
     constexpr int turns = 3;
@@ -387,7 +390,7 @@ private:
     }
     const Vec3 q = toVector(grid.places().place(point)) + *way;
     const LatticePoint at{std::llround(q[0]), std::llround(q[1]), std::llround(q[2])};
-    // A point that is there already would be asked again for ever.
+    // A point that is there already would be moved again for ever.
     if (isInDomain(at) && at != grid.places().place(point))
     {
       out.push_back({point, std::abs(step), at});
@@ -395,7 +398,7 @@ private:
   }
 
   /// A way that leads `step` along the normal. It is as near to the normal as can be with no component above the size
-  /// of the octants about the point, as those alone are looked through for what cuts its edges; none if there is none.
+  /// of the octants around the point, as only these are searched for cuts of its edges; none if that is impossible.
   static std::optional<Vec3> wayAlong(const Vec3& normal, double step, double size)
   {
     const double even = std::abs(step) / normal.lpNorm<1>();
@@ -421,15 +424,16 @@ private:
   double reach;
   MovingGrid::Look look;
   std::vector<Place>& out;
-  /// About the leaf, and what is in them: charts and triangles, and the triangles' bounds.
+  /// Leaves around the leaf, and what is in them: charts and triangles, and the triangles' bounds.
   std::vector<Index> leaves;
   std::vector<Index> near;
   std::vector<std::pair<Index, Index>> triangles;
   std::vector<Box3> boxes;
-  mutable std::vector<double> reaches; ///< of the boxes of a chart
+  mutable std::vector<double> reaches; ///< squared distances of a chart's boxes
 };
 
-/// Moves corners of these leaves into gaps. Returns the leaves about them, sorted: nowhere else is anything new.
+/// Moves corners of these leaves into gaps. Returns the leaves around the moved points, sorted; nothing changed
+/// elsewhere.
 std::vector<Index> enterFrom(const std::vector<Index>& leaves, MovingGrid& grid, double reach,
                              const RunContext& context)
 {

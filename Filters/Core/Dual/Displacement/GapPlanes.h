@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Moves grid points into gaps between sheets that run side by side.
 #pragma once
 
 #include "Dual/Displacement/MovingGrid.h"
@@ -7,11 +8,11 @@ namespace atria {
 
 /// Moves points onto the middle between two sheets that run side by side, within 45 degrees, through their leaves. A
 /// plane of grid points is gap-free, no octant having points on both its sides, if it holds all that are within half
-/// the sum of its normal's components (a standard digital plane; Reveillès 1991). Of a stack of gaps one upon the
-/// other, each thinner than such a plane, each gets a plane: those about the middle of the stack, in order. Then points
-/// that are in none of these planes are moved too, if a gap is no farther than the whole sum. Points that were moved
-/// already stay, and none moves by more than the size of its smallest octant along any axis. After the first round only
-/// leaves about points that moved are looked at.
+/// the sum of its normal's components (a standard digital plane; Reveillès 1991). In a stack of gaps, each thinner than
+/// such a plane, each gap gets a plane: those around the middle of the stack, in order. Then points that are in none of
+/// these planes are moved too, if a gap is no farther than the whole sum. Points that were moved already stay, and none
+/// moves by more than the size of its smallest octant along any axis. After the first round only leaves around points
+/// that moved are visited.
 void enterGaps(MovingGrid& grid, const RunContext& context);
 
 } // namespace atria

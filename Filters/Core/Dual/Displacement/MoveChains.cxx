@@ -8,16 +8,16 @@ namespace atria {
 
 namespace {
 
-/// Of a chain of moves: what there may be more unresolved meanwhile, how many points follow, and what must be gained in
-/// all. Of 3,660 chains in seven models 57 gained something, of which 56 were within these limits, and 2,500 were not.
-/// Buildings need no chains. Without them eight of nine models of others have 1 to 18 % more unresolved features, and
-/// 24 fans of sheets in random poses 0.5 % more. Without the limits of how many begin and what may be lost meshes are
-/// the same, and the whole search takes a tenth longer.
+/// Limits of a chain of moves: how much more may be unresolved meanwhile, how many points follow, and what must be
+/// gained in all. In seven models 57 of 3,660 chains gained something. 56 of these were within the limits; 2,500 of all
+/// chains were not. Buildings need no chains. Without chains, eight of nine models of others have 1 to 18 % more
+/// unresolved features, and 24 fans of sheets in random poses 0.5 % more. Without the limits of the points that begin
+/// and of the loss, meshes are the same and the whole search takes a tenth longer.
 constexpr double greatestLoss = 5.0;
 constexpr std::size_t longestChain = 4;
 constexpr double leastChainGain = 0.5;
-/// How many points begin a chain. Where more octants than these are unresolved about it, sheets are in each other's
-/// way: moves there mend one octant at the cost of the next, and there are many to try.
+/// Largest number of points that begin a chain, and of unresolved octants around it. With more, sheets are in each
+/// other's way: moves mend one octant at the cost of the next, and there are many to try.
 constexpr std::size_t mostAbout = 6;
 
 } // namespace
@@ -62,8 +62,8 @@ void MoveChains::moveChain(Index leaf, std::set<Index>& changed)
   }
 }
 
-/// Back to their places in the planes of gaps: the corners of a leaf, and those of all leaves about it. A plane holds
-/// where all its points are there, so one that went back for the sake of a neighbor makes others leave it.
+/// Returns moves back to the planes of gaps: of the corners of a leaf, and of those of all leaves around it. A plane
+/// holds if all its points are in it, so a point that left it for the sake of a neighbor makes others leave it, too.
 std::vector<PlaceMoves::Places> MoveChains::returnsToPlanes(Index leaf) const
 {
   std::set<Index> corners;
@@ -116,7 +116,7 @@ PlaceMoves::Places MoveChains::follow(const Places& start)
   return {};
 }
 
-/// The best move of another point where something is unresolved about those of a chain.
+/// Returns the best move of another point where something is unresolved around those of a chain.
 PlaceMove MoveChains::bestBeside(const Places& trail)
 {
   std::set<Index> inChain;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Searches moves of several grid points that together resolve more.
 #pragma once
 
 #include "Dual/Displacement/PlaceMoves.h"
@@ -8,9 +9,9 @@
 
 namespace atria {
 
-/// Finds moves of several points where none of a single one gains anything. Points about an unresolved octant return
-/// to the planes of gaps they left, although that leaves more unresolved beside it, and points there are moved in
-/// turn. What gains in all stays.
+/// Moves several points where no move of a single one gains anything. Points around an unresolved octant return to the
+/// planes of gaps they left, although that leaves more unresolved beside it, and points there are moved in turn. Chains
+/// that gain in all are kept.
 class MoveChains
 {
 public:
@@ -19,7 +20,7 @@ public:
 
   /// Begins at each of these leaves that is unresolved. Returns the points whose costs change.
   std::set<Index> run(const std::set<Index>& leaves, const RunContext& context);
-  /// Of the leaves about these points.
+  /// Returns the unresolved leaves around these points.
   std::set<Index> unresolvedAbout(const std::set<Index>& points);
 
 private:
@@ -32,7 +33,7 @@ private:
 
   MovingGrid& grid;
   PlaceMoves& moves;
-  /// Where points were in the planes of gaps.
+  /// Places of points in the planes of gaps.
   std::map<Index, LatticePoint> inPlanes;
 };
 

@@ -134,7 +134,7 @@ MovingGrid::Live& MovingGrid::live(const Stored& edge, const EdgeSegment& segmen
   return moved[movedOf[id]];
 }
 
-/// Where the same charts cut it as before, nothing changes for its leaves.
+/// Sets the cuts of an edge. Nothing changes for its leaves if the same charts cut it as before.
 void MovingGrid::setCuts(const Stored& edge, const EdgeSegment& segment, std::span<const SurfaceCrossing> cuts,
                          Trail* trail)
 {
@@ -262,7 +262,7 @@ void MovingGrid::moveAll(const PointPlaces& places, const RunContext& context)
   }
 }
 
-/// What the edges of a look say about their leaf.
+/// Returns the surplus of a leaf from the edges of its look.
 int MovingGrid::analyze(Index leaf, Look& into) const
 {
   listLeavesAbout(leaf, into.edges, into.about);
@@ -319,7 +319,7 @@ MovingGrid::Surplus MovingGrid::surplusAbout(const PointPlaces& places)
   return sum;
 }
 
-/// Whether curves meet or end at the vertex of a leaf, but at no corner near it.
+/// True if curves meet or end at the vertex of a leaf, but at no corner near it.
 bool MovingGrid::isTangle(Index leaf, const Look& of) const
 {
   const bool onSide = tree.frame().domainPlanes(tree.lowCorner(leaf), tree.highCorner(leaf)) != 0;
@@ -334,7 +334,7 @@ bool MovingGrid::isTangle(Index leaf, const Look& of) const
   });
 }
 
-/// Nothing of clusters: there is nothing to be gained.
+/// Finds nothing in clusters, as nothing can be gained there.
 MovingGrid::Finding MovingGrid::find(Index leaf, Look& into) const
 {
   if (tree.featureType(leaf) == FeatureType::cluster)

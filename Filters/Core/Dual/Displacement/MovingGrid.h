@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// A grid whose points move, with the cuts of its edges and what its leaves do not resolve.
 #pragma once
 
 #include "Dual/Displacement/PointTrial.h"
@@ -18,7 +19,7 @@ inline constexpr double thinnestGap = 0.02;
 /// nothing is won: of racks, tanks and furnished houses 1 to 2 % of all that is unresolved, for a tenth of the time.
 inline constexpr unsigned mostHopeful = 3;
 
-/// The grid while its points move: the cuts of its edges kept up to date, and what they say about its leaves. Edges
+/// The grid while its points move: the cuts of its edges kept up to date, and what they imply for its leaves. Edges
 /// that did not move are read from the octree's own crossings. Several threads may look, each with a Look of its own.
 class MovingGrid
 {
@@ -45,7 +46,7 @@ private:
     std::vector<SurfaceCrossing> cuts;
   };
 
-  /// What was found at a leaf when it was looked at last.
+  /// Result of the last look at a leaf.
   struct Finding
   {
     std::uint32_t surplus : 30 = 0;
@@ -66,7 +67,7 @@ private:
   };
 
 public:
-  /// What one thread sees of the leaf that it looked at last, and of the point that it tried last.
+  /// Working memory of one thread: the leaf that it looked at last, and the point that it tried last.
   class Look
   {
   public:
@@ -88,7 +89,7 @@ public:
     std::uint64_t version = 0;
   };
 
-  /// What moves changed, so that they can be taken back.
+  /// Record of what moves changed, so that they can be taken back.
   struct Trail
   {
     PointPlaces places;
@@ -96,7 +97,7 @@ public:
     std::vector<std::pair<Index, Finding>> leaves;
   };
 
-  /// Of edges about a point and of the leaves there.
+  /// Surplus cuts of the edges around a point, and surplus of the leaves there.
   struct Surplus
   {
     std::size_t cuts = 0;
@@ -123,44 +124,44 @@ public:
 
   /// The edge that leaves a point in a direction, if it exists and was cut at some time.
   std::optional<Edge> cutEdge(Index point, int direction) const;
-  /// Whether the segment of that edge starts at the point.
+  /// True if the segment of that edge starts at the point.
   bool startsAt(Index point, int direction) const;
 
-  /// Looks at a leaf. Returns the sheets in it that do not meet, and the curves that do not, beyond the one it can
-  /// hold.
+  /// Looks at a leaf. Returns the number of sheets that do not meet in it, less the one it can hold, plus one if its
+  /// curves are more than the vertex can be on.
   int surplus(Index leaf, Look& into) const;
   /// The same without a look of one's own.
   int surplus(Index leaf) { return surplus(leaf, view); }
 
-  /// What there is about a point, and what there would be with it at another place. Places of one point that are tried
-  /// one after the other share what they look through.
+  /// Surplus around a point where it is. The function with a place tries the point there instead. Successive places of
+  /// one point share what they search.
   Surplus surplusAbout(Index point, Look& look) const;
-  /// What there is about some points, each edge and leaf once. Looks at leaves again.
+  /// Surplus around some points, with each edge and leaf counted once. Looks at leaves again.
   Surplus surplusAbout(const PointPlaces& places);
-  /// Where that costs more than the limit, not all is counted.
+  /// Stops counting as soon as the cost exceeds the limit.
   Surplus surplusAbout(Index point, const LatticePoint& place, Look& look,
                        double limit = std::numeric_limits<double>::infinity()) const;
 
-  /// Whether a leaf is known to have neither surplus sheets nor curves.
+  /// True if a leaf is known to have neither surplus sheets nor curves.
   bool isCalm(Index leaf) const { return !findings[leaf].isStale && findings[leaf].surplus == 0; }
-  /// Whether moves of single points may resolve a leaf. Where there is much in it each mends one thing at the cost of
+  /// True if moves of single points may resolve a leaf. If it holds much, each move mends one thing at the cost of
   /// another.
   bool isHopeful(Index leaf) const
   {
     const Finding& found = findings[leaf];
     return found.isStale || (found.unresolved && found.surplus <= mostHopeful);
   }
-  /// Whether a leaf has surplus cuts, sheets or curves.
+  /// True if a leaf has surplus cuts, sheets or curves.
   bool isUnresolved(Index leaf);
   /// Leaves with surplus cuts, sheets or curves; sorted.
   const std::vector<Index>& unresolvedLeaves(const RunContext& context);
-  /// Looks at leaves where cuts changed. What is about points is then told without looking at them once for each point.
+  /// Looks at leaves where cuts changed. The surplus around points is then known without a look per point.
   void lookAgain(const RunContext& context);
   void addCorners(Index leaf, std::set<Index>& points) const;
 
   std::int64_t shortestEdge(Index point) const;
   /// Points of clusters stay, as no place of theirs resolves them; so do those beside the sides of a turned domain,
-  /// which tell by where they stand what is beyond.
+  /// whose positions show what is beyond.
   bool isFixed(Index point) const;
 
 private:
@@ -188,7 +189,8 @@ private:
   const Crossings& undisplaced;
   std::vector<std::vector<std::vector<Index>>> atCorners;
   LeafCurves leafCurves;
-  /// Edges are numbered as in `undisplaced`, and then as they come. Those of a leaf are in both.
+  /// Edges are numbered as in `undisplaced`, and then as they come. A leaf has edges of both: here, and in
+  /// `addedOfLeaf`.
   Buckets edgesOfLeaf;
   /// Per point its first edge in `undisplaced`, where they are in the order of points.
   std::vector<Index> firstEdge;

@@ -9,7 +9,7 @@ namespace atria {
 
 namespace {
 
-/// What a move of a point by its shortest edge counts against one surplus.
+/// Cost of a move of a point by its shortest edge; one surplus sheet costs 1.
 constexpr double moveCost = 0.05;
 
 } // namespace
@@ -69,7 +69,7 @@ double PlaceMoves::costOfWay(Index point, const LatticePoint& place) const
   return moveCost * displacementOf(point, place) / static_cast<double>(grid.shortestEdge(point));
 }
 
-/// Of what is about these points where they are.
+/// Returns the cost of what is around these points at their present places.
 double PlaceMoves::costOf(const Places& places)
 {
   double cost = grid.surplusAbout(places).cost();

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Moves grid points, and counts what that costs.
 #pragma once
 
 #include "Dual/Displacement/MovingGrid.h"
 
 namespace atria {
 
-/// What is less is rounding.
+/// Gains below this are rounding.
 inline constexpr double smallestGain = 1e-9;
 
 /// A better place for a point.
@@ -16,7 +17,7 @@ struct PlaceMove
   LatticePoint place{};
 };
 
-/// Moves points of the grid and says what that costs: the surplus cuts of a point's edges, twice; the surplus sheets
+/// Moves points of the grid and reports what that costs: the surplus cuts of a point's edges, twice; the surplus sheets
 /// and curves of its octants, once; and a little the way from home.
 class PlaceMoves
 {
@@ -30,7 +31,7 @@ public:
   /// The best place for each of these points, found by trying; they stay where they are. A gain of 0 where there is
   /// none. For `across` see candidatePlaces.
   std::vector<PlaceMove> best(const std::vector<Index>& points, bool across = false) const;
-  /// Moves points together, each once, and notes how to take that back; what costs change by.
+  /// Moves points together, each once, and notes how to take that back. Returns the change of the cost.
   double make(const Places& places, MovingGrid::Trail& trail);
 
   /// Adds the points that may move and whose costs depend on where a point is.

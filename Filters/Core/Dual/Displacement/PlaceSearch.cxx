@@ -20,9 +20,9 @@ namespace {
 /// With ten, 2.5 % more features are unresolved in models of others; with forty as many.
 constexpr int mostSweeps = 20;
 
-/// The points in rounds. Of two with a leaf in common the first in order is in the earlier round, and those of a round
-/// have none. As a move changes nothing beyond the leaves about the point, all points of a round may be asked at once:
-/// they are told what they would be one after the other.
+/// Divides the points into rounds. Points of one round have no leaf in common; of two with a common leaf, the first in
+/// order is in the earlier round. A move changes nothing beyond the leaves around the point. So all points of a round
+/// may be evaluated at once, with the same result as one after the other.
 std::vector<std::vector<Index>> roundsOf(const std::vector<std::pair<double, Index>>& order, const GridPoints& points)
 {
   std::vector<Index> leaves;
@@ -64,7 +64,7 @@ public:
 
   void run()
   {
-    // After the first time, only those are asked about which something changed.
+    // After the first time, only points are tried around which something changed.
     for (std::vector<Index> asked = grid.places().displacedPoints(); !asked.empty();
          asked = undisplaceWhereBetter(asked))
     {
@@ -92,7 +92,7 @@ private:
   using Places = PlaceMoves::Places;
 
   /// Moves points one by one until nothing is gained. Moves that are left over are those of this sweep, and are made
-  /// whether or not others are elsewhere: what becomes of a place depends on what is about it alone.
+  /// whether or not others are elsewhere: what becomes of a place depends only on what is around it.
   void sweep(std::set<Index> dirty)
   {
     open.clear();
@@ -127,12 +127,12 @@ private:
     return hopeless;
   }
 
-  /// Where sheets cross each other along the octants' diagonals, the corners of the octants about the curve lie on
-  /// them, and none finds a place alone: they are put about the curve together, and turned. Returns the points whose
-  /// costs they change.
+  /// Centers the octants around a curve on it by moving all of their corners together, and turns them. If sheets cross
+  /// along the octants' diagonals, these corners lie on the sheets and none finds a place alone. Returns the points
+  /// whose costs change.
   std::set<Index> turnAboutCurves()
   {
-    std::map<Index, std::set<Index>> leavesOf; // by feature edge
+    std::map<Index, std::set<Index>> leavesOf; // keys are feature edges
     for (const Index leaf : grid.unresolvedLeaves(context))
     {
       std::set<Index> curves; // one edge of each stands for all
@@ -193,7 +193,7 @@ private:
     return true;
   }
 
-  /// The corners of the leaves, moved such that the curve is in the middle, and turned about it.
+  /// The corners of the leaves, moved such that the curve is in the middle, and turned around it.
   Places placesAbout(const FeatureEdge& edge, const std::set<Index>& leaves, double angle, double scale) const
   {
     const Vec3 a = toVector(grid.model().points[edge.a]);
@@ -230,8 +230,8 @@ private:
     return places;
   }
 
-  /// Moves those of some points home with which less is unresolved there, the farthest first. Returns the displaced
-  /// points about which that changes anything.
+  /// Moves those points home that leave less unresolved there, the farthest first. Returns the displaced points around
+  /// which that changes anything.
   std::vector<Index> undisplaceWhereBetter(const std::vector<Index>& points)
   {
     std::vector<std::pair<double, Index>> order;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What MovingGrid does to try a point in other places.
+/// Functions of MovingGrid that try a point in other places.
 #include "Dual/Displacement/MovingGrid.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ void PointTrial::setWay(std::span<const SurfaceCrossing> cuts, const SurfaceMode
   }
 }
 
-/// Of all its spokes in one number.
+/// Packs the ways of all spokes of a leaf into one number.
 std::uint64_t PointTrial::waysOf(const Leaf& leaf) const
 {
   std::uint64_t key = 0;
@@ -63,7 +63,7 @@ std::uint64_t PointTrial::waysOf(const Leaf& leaf) const
   return key;
 }
 
-/// Gathers what is about a point for places up to its shortest edge from where it is undisplaced.
+/// Gathers what is around a point for places up to its shortest edge from its undisplaced place.
 void MovingGrid::beginTrial(Index point, const LatticePoint& place, Look& look) const
 {
   PointTrial& trial = look.trial;
@@ -137,14 +137,14 @@ void MovingGrid::beginTrialOf(Index id, PointTrial::Leaf& leaf, const PointTrial
   }
 }
 
-/// What was found in a leaf when its spokes went the same ways.
+/// Returns the surplus found in a leaf when its spokes went the same ways.
 std::optional<int> PointTrial::foundIn(const Leaf& leaf) const
 {
   const auto known = std::ranges::find(leaf.found, waysOf(leaf), &std::pair<std::uint64_t, int>::first);
   return known == leaf.found.end() ? std::nullopt : std::optional(known->second);
 }
 
-/// What there is in a leaf with its spokes as they are tried.
+/// Returns the surplus of a leaf with its spokes as they are tried.
 int MovingGrid::surplusOfTrial(PointTrial::Leaf& leaf, Look& look) const
 {
   PointTrial& trial = look.trial;
@@ -196,7 +196,7 @@ MovingGrid::Surplus MovingGrid::surplusAbout(Index point, const LatticePoint& pl
       return sum;
     }
   }
-  // What is known goes first, as it often costs too much already.
+  // Known leaves go first, as they often cost too much already.
   unsigned open = 0;
   for (std::size_t i = 0; i < trial.leafCount; ++i)
   {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Data for trying a grid point at one place after the other.
 #pragma once
 
 #include "Dual/Grid/Crossings.h"
@@ -8,9 +9,9 @@
 
 namespace atria {
 
-/// A grid point that is looked at in one place after the other, and what does not depend on the place: the triangles
-/// its edges may meet, and the other edges of the leaves about it. What there is in a leaf depends on which charts cut
-/// its edges, so it is found once for every way in which they do.
+/// A grid point that is tried at several places, and what does not depend on the place: the triangles its edges may
+/// meet, and the other edges of the leaves around it. The surplus of a leaf depends on which charts cut its edges, so
+/// it is found once for every way in which they do.
 struct PointTrial
 {
   /// Bounds side by side, as most triangles are left for them.
@@ -44,7 +45,7 @@ struct PointTrial
     unsigned spokes;
     bool hasOthers;
     std::vector<CutEdge> others;
-    /// What there is, by the ways of its spokes.
+    /// Surplus of the leaf, by the ways of its spokes.
     std::vector<std::pair<std::uint64_t, int>> found;
   };
 
@@ -60,7 +61,7 @@ struct PointTrial
   std::vector<Index> triangles;
   std::vector<BoundedTriangle> bounded;
 
-  /// Those of a spoke that touch the bounds of its segment as it is.
+  /// Triangles of a spoke that touch the bounds of its present segment.
   std::vector<Index> touching;
 
   /// Sets the spoke's segment to what it is with the point there.

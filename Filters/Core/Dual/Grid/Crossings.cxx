@@ -9,7 +9,7 @@ namespace atria {
 
 namespace {
 
-/// What was found for a range of grid points, joined to the others' afterwards.
+/// Crossings of a range of grid points, joined with those of other ranges afterwards.
 struct Part
 {
   std::vector<BoundaryFace> faces;
@@ -110,8 +110,8 @@ private:
   EdgeProbe probe;
 };
 
-/// What is found with the points pointAt(0) to pointAt(count - 1), a part for each `grain` of them. Their neighbors go
-/// to `out`.
+/// Finds the crossings of the points pointAt(0) to pointAt(count - 1), in one part for each `grain` of them. Writes
+/// their neighbors to `out`.
 template <typename PointAt>
 std::vector<Part> findParts(const GridPlaces& grid, const SurfaceModel& model, std::size_t count, std::size_t grain,
                             PointAt&& pointAt, Crossings& out, const RunContext& context)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds where surfaces and domain sides cut the edges of the grid.
 #pragma once
 
 #include "Dual/Grid/EdgeProbe.h"
@@ -23,7 +24,7 @@ struct CrossedEdge
   std::uint32_t count;
 };
 
-/// What stands between elements.
+/// Neighbors of grid points, and the faces and cuts between them.
 struct Crossings
 {
   /// Per grid point and Direction: as DualMesh::neighbors.
@@ -38,7 +39,7 @@ struct Crossings
   }
 };
 
-/// f(cut) for the cuts that one sees from the first of them: up to the first wall, and this.
+/// Calls f(cut) for the cuts up to and including the first wall.
 template <typename Cut, typename F> void eachSeen(Cut first, Cut last, const SurfaceModel& model, F&& f)
 {
   for (Cut cut = first; cut != last; ++cut)
@@ -51,7 +52,7 @@ template <typename Cut, typename F> void eachSeen(Cut first, Cut last, const Sur
   }
 }
 
-/// f(leaf) for each of the leaves about an edge or a point, once.
+/// Calls f(leaf) once for each of the leaves around an edge or a point.
 template <std::size_t n, typename F> void eachLeaf(const std::array<Index, n>& leaves, F&& f)
 {
   for (auto leaf = leaves.begin(); leaf != leaves.end(); ++leaf)
@@ -63,7 +64,7 @@ template <std::size_t n, typename F> void eachLeaf(const std::array<Index, n>& l
   }
 }
 
-/// Which crossed edges each leaf has, in order.
+/// Returns the crossed edges of each leaf, in order.
 Buckets edgesByLeaf(const Crossings& crossings, std::size_t leafCount, const RunContext& context);
 
 /// Crossings of one edge of the grid, whose segment was made with the same trial; see EdgeProbe.
@@ -73,12 +74,12 @@ std::span<const SurfaceCrossing> cutEdge(const GridPlaces& grid, EdgeProbe& prob
 
 /// Joins grid points across edges, and finds which edges are cut by surfaces or by the domain's sides. Decisions are
 /// exact; see Predicates.h. A surface that reaches through an edge and back, by a bulge or the tip of a crease, does
-/// not cut it. Faces are those of walls; of a permeable surface only the crossed edges tell. Cost: O(1) an edge, plus
-/// the triangles in the leaf beside it.
+/// not cut it. Faces are those of walls; a permeable surface has crossed edges only. Cost: O(1) an edge, plus the
+/// triangles in the leaf beside it.
 Crossings findCrossings(const GridPlaces& grid, const SurfaceModel& model, const RunContext& context);
 
 /// The same crossings as findCrossings, from those found before these points moved or went back. Cost: O(1) for each of
-/// their edges, and going through what stands between elements once.
+/// their edges, and one pass over the faces and cuts.
 Crossings updateCrossings(const GridPlaces& grid, const SurfaceModel& model, Crossings before,
                           const std::vector<Index>& changed, const RunContext& context);
 

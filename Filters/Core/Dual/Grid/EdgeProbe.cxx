@@ -128,9 +128,9 @@ void EdgeProbe::gather(const LatticeBox& box, std::span<const Index> leaves, std
   }
 }
 
-/// Whether two neighboring crossings are a surface that reaches through the edge and back, with both ends of the edge
-/// on the same side: a bulge of a smooth piece, which faces the same way twice while the two sides of a thin wall face
-/// opposite ways; or the tip of a crease.
+/// True if two neighboring crossings are a surface that reaches through the edge and back, with both ends of the edge
+/// on the same side. It is the tip of a crease or a bulge of a smooth piece. A bulge faces the same way twice, the two
+/// sides of a thin wall opposite ways.
 bool EdgeProbe::isBulge(const EdgeSegment& edge, const SurfaceCrossing& l, const SurfaceCrossing& r) const
 {
   if (model.charts[l.triangle] == model.charts[r.triangle])
@@ -140,8 +140,8 @@ bool EdgeProbe::isBulge(const EdgeSegment& edge, const SurfaceCrossing& l, const
   return isNick(edge, l, r);
 }
 
-/// Whether the two pieces meet in a crease close beyond the edge. Not where three pieces meet: there the ends may lie
-/// in different zones.
+/// True if the two pieces meet in a crease close beyond the edge. False where three pieces meet, as the ends may lie in
+/// different zones there.
 bool EdgeProbe::isNick(const EdgeSegment& edge, const SurfaceCrossing& l, const SurfaceCrossing& r) const
 {
   const auto [low, high] = std::minmax(model.charts[l.triangle], model.charts[r.triangle]);

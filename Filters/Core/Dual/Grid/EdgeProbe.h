@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Cuts single edges of the grid with the triangles of the model.
 #pragma once
 
 #include "Dual/Mesh/DualMesh.h"
@@ -11,10 +12,11 @@
 
 namespace atria {
 
-/// How far beyond an edge, against the edge's length, the tip of a crease may reach for the edge to count as uncut.
+/// Distance beyond an edge up to which the tip of a crease may reach for the edge to count as uncut, as a part of the
+/// edge's length.
 inline constexpr double nickDepth = 0.3;
 
-/// Where a surface cuts an edge of the grid.
+/// Cut of an edge of the grid with a surface.
 struct SurfaceCrossing
 {
   Index triangle;
@@ -33,11 +35,12 @@ struct EdgeSegment
   int axis;
   /// Length of the octants' edge it stands for, in lattice units.
   std::int64_t size;
-  /// Leaves about the edge, in order round it; a large one may be there twice in a row.
+  /// Leaves around the edge, in order; a large one may be there twice in a row.
   std::array<Index, 4> about;
 };
 
-/// Where an edge cuts the triangle a, b, c, which stands for `triangle` of the model; nothing where it does not.
+/// Returns the cut of an edge with the triangle a, b, c, which stands for `triangle` of the model; nullopt if there is
+/// none.
 std::optional<SurfaceCrossing> crossingOf(const EdgeSegment& edge, const LatticePoint& a, const LatticePoint& b,
                                           const LatticePoint& c, Index triangle);
 
@@ -55,21 +58,21 @@ inline SheetSide seenFromEnd(const SurfaceCrossing& cut)
 class EdgeProbe
 {
 public:
-  /// Where leaves hold very many triangles, `tree` is asked in their place if there is one.
+  /// If leaves hold very many triangles, `tree` is searched instead, if there is one.
   EdgeProbe(const Octree& leaves, const SurfaceModel& surfaces, const TriangleTreeOnDemand* tree = nullptr)
       : octree(leaves), model(surfaces), triangleTree(tree)
   {
   }
 
-  /// Crossings of an edge with the triangles of `leaves`, sorted from start to end; triangles on domain sides are not
-  /// asked. Pairs that only reach through the edge and back are left out, as if there were nothing but walls for walls,
-  /// and nothing but what is permeable for that. The answer holds until the next call.
+  /// Crossings of an edge with the triangles of `leaves`, sorted from start to end; triangles on domain sides are
+  /// skipped. Pairs that only reach through the edge and back are left out, separately for walls and for permeable
+  /// surfaces. The result is valid until the next call.
   std::span<const SurfaceCrossing> cut(const EdgeSegment& edge, std::span<const Index> leaves);
   /// The same with some triangles, among which are all that touch the bounds of the edge.
   std::span<const SurfaceCrossing> cutAmong(const EdgeSegment& edge, std::span<const Index> triangles);
 
-  /// The triangles of `leaves` whose bounds touch the box, each once, but for those on domain sides. Of a box that
-  /// reaches beyond these leaves there may be more.
+  /// The triangles of `leaves` whose bounds touch the box, each once, but for those on domain sides. More may be listed
+  /// for a box that reaches beyond these leaves.
   void gather(const LatticeBox& box, std::span<const Index> leaves, std::vector<Index>& triangles) const;
 
   /// The triangle of a domain side that covers the point where the edge along `direction` through p leaves the domain;
@@ -90,7 +93,7 @@ private:
 
 LatticeBox boundsOf(const EdgeSegment& edge);
 
-/// Whether the bounds of a triangle touch a box.
+/// True if the bounds of a triangle touch a box.
 bool touchesBounds(const LatticeBox& box, const SurfaceModel& model, Index triangle);
 
 /// Point of an edge, in lattice units.

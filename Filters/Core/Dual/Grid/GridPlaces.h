@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Positions of grid points, displaced ones included, and the edges between them.
 #pragma once
 
 #include "Dual/Grid/EdgeProbe.h"
@@ -8,14 +9,14 @@
 
 namespace atria {
 
-/// A grid point that is looked at as if it were elsewhere.
+/// A grid point that is treated as if it were elsewhere.
 struct GridTrial
 {
   Index point = noIndex;
   LatticePoint place{};
 };
 
-/// Where the grid points stand: at the octants' corners, but for those that were moved (the displaced grid). The
+/// Positions of the grid points: the octants' corners, but for points that were moved (the displaced grid). The
 /// topology is the octree's in any case.
 class GridPlaces
 {
@@ -59,7 +60,7 @@ public:
     bool exists() const { return at.leaf != noIndex; }
   };
   Edge edge(Index point, int direction) const;
-  /// By Direction.
+  /// One edge per Direction.
   std::array<Edge, 6> edges(Index point) const;
   bool isDisplaced(Index point, const Edge& edge, const GridTrial& trial = {}) const
   {
@@ -68,7 +69,7 @@ public:
   }
   /// The same as a segment; where it leads out of the domain it ends on the domain's side.
   EdgeSegment segment(Index point, int direction, const Edge& edge, const GridTrial& trial = {}) const;
-  /// Leaves whose triangles can reach a moved edge: all about its ends.
+  /// Leaves whose triangles can reach a moved edge: all around its ends.
   std::vector<Index> leavesNear(Index point, const Edge& edge) const;
 
 private:

@@ -155,7 +155,7 @@ private:
     return Octree::leafOf(node);
   }
 
-  /// What the leaf below or above point i along an axis adds to a Morton key.
+  /// Returns what the leaf below or above point i along an axis adds to a Morton key.
   Index place(unsigned i, unsigned above) const
   {
     static constexpr std::array<std::uint16_t, 1u << maximumDepth> spread{
@@ -241,7 +241,8 @@ private:
     }
   }
 
-  /// By how many levels all leaves in a region are finer than its octants; 0 where it is no uniform block.
+  /// Returns the number of levels by which all leaves in a region are finer than its octants; 0 if it is no uniform
+  /// block.
   int commonDepth(const Region& region) const
   {
     const int depth = Octree::isLeaf(region.nodes[0]) ? 0 : depths[region.nodes[0]];
@@ -251,7 +252,7 @@ private:
     return common ? depth : 0;
   }
 
-  /// Whether all parts but the one in the middle are between leaves, and have an extent.
+  /// True if all parts but the one in the middle are between leaves, and have an extent.
   bool hasOnePoint(const Region& region) const
   {
     return std::all_of(region.nodes.begin(), region.nodes.end(),
@@ -300,7 +301,8 @@ std::vector<Region> tasksOf(const Octree& octree, int level)
   return tasks;
 }
 
-/// Of the eight lowest. std::popcount is a call where the processor need not have an instruction for it.
+/// Counts the bits set among the eight lowest. std::popcount is a function call if the processor need not have an
+/// instruction for it.
 Index bitsIn(unsigned bits)
 {
   bits = (bits & 0x55u) + (bits >> 1 & 0x55u);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Numbers the grid points of an octree and finds its edges between them.
 #pragma once
 
 #include "Octree/Tree/Octree.h"
@@ -23,7 +24,7 @@ struct GridPoints
 /// twice.
 GridPoints findGridPoints(const Octree& octree, const RunContext& context);
 
-/// Where a grid point is.
+/// Returns the position of a grid point on the lattice.
 LatticePoint positionOf(const Octree& octree, const std::array<Index, 8>& leaves);
 
 /// The octree edge that leaves a grid point in a direction: the finest leaf that has it, and which corner of that leaf
@@ -35,7 +36,7 @@ struct GridEdge
 };
 GridEdge edgeFrom(const Octree& octree, const std::array<Index, 8>& leaves, int direction);
 
-/// Whether these are eight leaves of one level. A point between them has all six edges, each of the first leaf there.
+/// True if these are eight leaves of one level. A point between them has all six edges, each of the first leaf there.
 bool areOfOneLevel(const Octree& octree, const std::array<Index, 8>& leaves);
 
 } // namespace atria

@@ -12,10 +12,10 @@ namespace {
 
 using Ending = std::vector<Index>;
 
-/// How far from an octant, against its size, a corner may be that its vertex takes.
+/// Largest distance from an octant to a corner that its vertex takes, as a part of the octant's size.
 constexpr double cornerReach = 0.6;
 
-/// Leaves about a point, out to this part of the size of the one that holds it.
+/// Leaves around a point, out to `cornerReach` times the size of the one that holds it.
 std::vector<Index> leavesAbout(const Octree& octree, const LatticePoint& p, Index holder)
 {
   const std::int64_t end = octree.frame().latticeSize(0);
@@ -52,7 +52,7 @@ double distanceFrom(const Octree& octree, Index leaf, const LatticePoint& p)
   return (std::sqrt(outside) + 1e-3 * std::sqrt(fromCenter)) / static_cast<double>(high[0] - low[0]);
 }
 
-/// How ill a vertex suits a corner where these curves meet; negative where it does not suit at all.
+/// Returns how ill a vertex suits a corner where these curves meet; negative if it does not suit at all.
 double misfit(const ChainVertex& vertex, const std::vector<Ending>& atCorner)
 {
   const bool all = std::includes(atCorner.begin(), atCorner.end(), vertex.curves.begin(), vertex.curves.end());

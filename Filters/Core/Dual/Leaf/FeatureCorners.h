@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Assigns the corners of the model to vertices of the mesh on feature curves.
 #pragma once
 
 #include "Octree/Tree/Octree.h"
@@ -32,9 +33,9 @@ struct ChainVertex
 /// The curves that meet at each corner of the model, by the charts that end there; sorted, without repeats.
 std::vector<std::vector<std::vector<Index>>> curvesAtCorners(const SurfaceModel& model);
 
-/// Which corner of the model (index into its points) each chain vertex takes; noIndex for none. `vertices` are in order
-/// of leaves. A corner goes to one vertex at most, and a vertex to one corner: the one whose curves agree best and
-/// whose octant is nearest, up to 0.6 of the octant's size away.
+/// Returns the corner of the model (index into its points) that each chain vertex takes; noIndex for none. `vertices`
+/// are in order of leaves. A corner goes to one vertex at most, and a vertex to one corner: the one whose curves agree
+/// best and whose octant is nearest, up to 0.6 of the octant's size away.
 std::vector<Index> assignCorners(const Octree& octree, const SurfaceModel& model,
                                  const std::vector<ChainVertex>& vertices);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Lists the feature curves in each leaf by chart.
 #pragma once
 
 #include "Octree/Tree/Octree.h"
@@ -11,8 +12,8 @@ namespace atria {
 
 /// The feature curves that pass through each leaf, by the charts that meet there. Curves that pass close beyond a leaf,
 /// by at most nickDepth of its size, are among them: where EdgeProbe drops the tip of a crease, the leaf before the
-/// edge has the vertex on that crease. Where surfaces cross each other many times over, a leaf has thousands of curves,
-/// and few of them are of any two charts.
+/// edge has the vertex on that crease. A leaf may have thousands of curves if surfaces cross each other many times
+/// over; few of them are of any two charts.
 class LeafCurves
 {
 public:
@@ -25,9 +26,9 @@ public:
 
   LeafCurves(const Octree& octree, const SurfaceModel& model, const RunContext& context);
 
-  /// Those of a leaf, sorted.
+  /// Entries of a leaf, sorted.
   std::span<const Entry> of(Index leaf) const;
-  /// Those of them at a chart.
+  /// The entries that are at `chart`.
   static std::span<const Entry> atChart(std::span<const Entry> entries, Index chart);
 
 private:

@@ -84,7 +84,7 @@ Vec3 LeafGeometry::onPlanes(Vec3 p) const
 
 Vec3 LeafGeometry::meanOfCuts() const { return count > 0.0 ? Vec3(sum / count) : center_; }
 
-/// A tip that reaches a grid point or edge only: the other leaves about it have the same cuts, but must not share the
+/// A tip that reaches a grid point or edge only: the other leaves around it have the same cuts, but must not share the
 /// vertex.
 Vec3 LeafGeometry::tipOrMean() const
 {
@@ -114,7 +114,7 @@ bool LeafGeometry::onOwnPlane(Index triangle) const
   return side != SurfaceModel::noSide && (planes >> side & 1);
 }
 
-/// Whether all that meets at the edge in this leaf lies on a domain side.
+/// True if all that meets at the edge in this leaf lies on a domain side.
 bool LeafGeometry::onOwnPlane(const FeatureEdge& edge) const
 {
   const std::vector<Index>& wanted = model.curves[edge.curve].charts;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds positions for the vertices of leaves on the model.
 #pragma once
 
 #include "Dual/Grid/EdgeProbe.h"
@@ -9,8 +10,8 @@
 namespace atria {
 
 /// Finds places for the vertex of a leaf: on corners, curves and surfaces of the model in it, on the domain's planes
-/// through it. Takes one leaf after the other: `enter`, its cut edges, the charts that cut them; then positions may be
-/// asked for.
+/// through it. Takes one leaf after the other: `enter`, its cut edges, the charts that cut them; then positions can be
+/// requested.
 class LeafGeometry
 {
 public:
@@ -35,12 +36,12 @@ public:
   Vec3 cornerPosition(Index point) const { return onPlanes(modelPoint(point)); }
   /// The middle of the curves at which exactly these charts end; or their nearest point, where they pass by.
   std::optional<Vec3> curvePosition(const std::vector<std::vector<Index>>& endings);
-  /// The point of these curves nearest to p, in the leaf or about it.
+  /// The point of these curves nearest to p, in the leaf or around it.
   std::optional<Vec3> nearestCurvePosition(const std::vector<std::vector<Index>>& endings, const Vec3& p);
-  /// Whether curvePosition found no piece of the curves in the leaf itself.
+  /// True if curvePosition found no piece of the curves in the leaf itself.
   bool isDiverted() const { return diverted; }
 
-  /// Whether p is farther from some of the charts than rounding explains.
+  /// True if p is farther from some of the charts than rounding explains.
   bool misses(const Vec3& p) const;
 
 private:
@@ -69,7 +70,7 @@ private:
   Index leaf_ = noIndex;
   LatticeBox box{};
   unsigned planes = 0;
-  /// The leaf, then those about its cut edges; the latter only where they are needed.
+  /// The leaf, then those around its cut edges; the latter only where they are needed.
   std::vector<Index> leaves;
   bool isDisplaced = false;
   bool diverted = false;

@@ -220,7 +220,7 @@ bool LeafTopology::joinMeeting()
   return any;
 }
 
-/// Whether the mesh edge between two leaves lies in a domain side.
+/// True if the mesh edge between two leaves lies in a domain side.
 bool LeafTopology::onOneSide(Index a, Index b) const
 {
   const GridFrame& frame = octree.frame();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Derives the charts, curves and sheets at a leaf's vertex from the leaf's cut edges.
 #pragma once
 
 #include "Dual/Grid/EdgeProbe.h"
@@ -15,16 +16,16 @@ struct CutEdge
   std::span<const SurfaceCrossing> cuts;
 };
 
-/// The edge as `leaf` sees it, which is one of the leaves about it.
+/// The edge as `leaf` sees it, which is one of the leaves around it.
 CutEdge seenFrom(Index leaf, const EdgeSegment& edge, std::span<const SurfaceCrossing> cuts);
 
 /// Lists a leaf and those beside its cut edges, in that order, without repetition.
 void listLeavesAbout(Index leaf, std::span<const CutEdge> edges, std::vector<Index>& leaves);
 
-/// What the cut edges of a leaf say about the mesh round the leaf's vertex. Each cut edge is a mesh face on a chart,
-/// each face of the leaf a mesh edge at the vertex. A chart ends along a mesh edge where an odd number of its faces
-/// meet there. As every closed path that does not pass round the border of a chart cuts it an even number of times,
-/// these mesh edges form chains without a break, one along each feature curve.
+/// Topology of the mesh around a leaf's vertex, as the leaf's cut edges imply it. Each cut edge is a mesh face on a
+/// chart, each face of the leaf a mesh edge at the vertex. A chart ends along a mesh edge where an odd number of its
+/// faces meet there. As every closed path that does not pass round the border of a chart cuts it an even number of
+/// times, these mesh edges form chains without a break, one along each feature curve.
 class LeafTopology
 {
 public:
@@ -50,9 +51,9 @@ public:
   const std::vector<Link>& links() const { return links_; }
   /// The different curves among the links, by the charts that end there; sorted.
   std::vector<std::vector<Index>> curves() const;
-  /// Whether the links are more than one curve that passes by: curves meet or end at the vertex.
+  /// True if the links are more than one curve that passes by: curves meet or end at the vertex.
   bool isKnot() const;
-  /// Whether one curve ends at the vertex.
+  /// True if one curve ends at the vertex.
   bool isEnd() const { return links_.size() == 1; }
   /// The number of sheets at the vertex that do not meet in a curve of the model near it. Above one, the vertex cannot
   /// be on all of them.

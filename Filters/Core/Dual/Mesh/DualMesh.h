@@ -54,10 +54,10 @@ struct ZoneFace
   SheetSide side;
 };
 
-/// An element is the dual of a grid point; its corners are the vertices of the octants about the point, one an octant
+/// An element is the dual of a grid point; its corners are the vertices of the octants around the point, one an octant
 /// direction, and its faces the duals of the octree's edges in the six axis directions. A face is the quad of its four
-/// corners, less those that coincide; with fewer than three left it is none. Layer elements have the same form.
-/// 61 bytes an element: 56 for corners and neighbors, 5 for level and zone.
+/// corners, less those that coincide; with fewer than three left it is none. Layer elements have the same form. 61
+/// bytes an element: 56 for corners and neighbors, 5 for level and zone.
 struct DualMesh
 {
   /// Neighbor code of a face that is an edge or a point only.
@@ -73,7 +73,7 @@ struct DualMesh
   std::vector<BoundaryFace> boundaryFaces;
   /// Each face once.
   std::vector<ZoneFace> zoneFaces;
-  /// Per element: the level of the finest octant about it; its zone.
+  /// Per element: the level of the finest octant around it; its zone.
   Buffer<std::uint8_t> levels;
   Buffer<std::int32_t> zones;
   /// Per element its room, and the surface that encloses it as a cell zone; -1 for none. Empty where there are none.
@@ -83,7 +83,7 @@ struct DualMesh
   std::size_t elementCount() const { return corners.size(); }
 };
 
-/// Appends what an element has but for its place, like element `like` of a mesh, which may be the same.
+/// Appends the labels of an element: those of element `like` of a mesh, which may be the same mesh.
 inline void appendLabels(DualMesh& to, const DualMesh& from, Index like)
 {
   to.levels.push_back(std::uint8_t(from.levels[like]));
@@ -98,7 +98,7 @@ inline void appendLabels(DualMesh& to, const DualMesh& from, Index like)
   }
 }
 
-/// Appends an element that is for all but its place as element `like`.
+/// Appends an element with the labels of element `like`.
 inline void appendElement(DualMesh& to, const std::array<Index, 8>& corners,
                           const std::array<std::int32_t, 6>& neighbors, const DualMesh& from, Index like)
 {
@@ -114,7 +114,7 @@ struct ReducedFace
   int count = 0;
 
   std::span<const Index> loop() const& { return {points.data(), static_cast<std::size_t>(count)}; }
-  std::span<const Index> loop() && = delete; // of a face that is gone
+  std::span<const Index> loop() && = delete; // the face would be gone
 };
 
 inline ReducedFace faceOf(const std::array<Index, 8>& corners, int direction)
@@ -135,7 +135,7 @@ inline ReducedFace faceOf(const std::array<Index, 8>& corners, int direction)
   return face;
 }
 
-/// Whether one of an element's corners is marked. Without a jump for each, as most are not.
+/// True if one of an element's corners is marked. Does not branch for each corner, as most are not.
 inline bool hasMarked(const std::array<Index, 8>& corners, const std::vector<char>& marked)
 {
   int any = 0;

@@ -8,16 +8,16 @@
 
 namespace atria {
 
-/// Of a face: its area vector, outwards, and the integral of a third of its points' product with it. The volume of a
-/// set of elements is the sum of these integrals over the faces around it.
+/// Area vector of a face, outwards, and the integral of a third of its points' product with it. The volume of a set of
+/// elements is the sum of these integrals over the faces around it.
 struct FaceFlux
 {
   Vec3 area = Vec3::Zero();
   double volume = 0.0;
 };
 
-/// Returns the flux through a face of an element, triangulated about its middle. Points count from `origin`, which
-/// keeps what is summed up small.
+/// Returns the flux through a face of an element, triangulated around its middle. Points count from `origin`, which
+/// keeps the summands small.
 inline FaceFlux fluxOf(const DualMesh& mesh, Index element, int direction, const Vec3& origin)
 {
   const ReducedFace face = faceOf(mesh.corners[element], direction);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which part of a mesh a process counts where it sums up.
+/// Divides a mesh among ranks so that sums count each element once.
 #pragma once
 
 #include "Support/ExactSum.h"
@@ -10,7 +10,7 @@
 
 namespace atria {
 
-/// What a rank counts of a mesh that several have; one process counts all.
+/// Elements that a rank counts of a mesh that several ranks have. One process counts all.
 struct MeshShare
 {
   std::function<bool(Index element)> isOwn;

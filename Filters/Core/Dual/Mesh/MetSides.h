@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which surfaces a mesh has faces on.
+/// Finds the surfaces that a mesh has faces on, and the sides of these.
 #pragma once
 
 #include "Dual/Mesh/DualMesh.h"
 
 namespace atria {
 
-/// Of a surface or a bare side of the domain.
+/// Faces that a mesh has on a surface or a bare side of the domain.
 struct MetSides
 {
   bool front = false;
@@ -17,8 +17,8 @@ struct MetSides
   bool within = false;
 
   bool hasBoundary() const { return front || back; }
-  /// Whether what is on its front and on its back is told apart. The front alone can have faces at once where a solid
-  /// is thinner than the octants and became a sheet.
+  /// True if its faces on the front and on the back are kept apart. The front alone can have faces at once where a
+  /// solid is thinner than the octants and became a sheet.
   bool isTwoSided() const { return front && back && atOnce; }
   void add(const MetSides& more)
   {
@@ -29,8 +29,9 @@ struct MetSides
   }
 };
 
-/// By tag of boundary faces: surfaces, then `sideNumbers` sides of the domain. `hasOpposite`, if given, says of each
-/// boundary face whether there is an element on the other side of the sheet, which may not be in this part of a mesh.
+/// Returns one entry per tag of boundary faces: surfaces, then `sideNumbers` sides of the domain. `hasOpposite`, if
+/// given, says of each boundary face whether there is an element on the other side of the sheet, which may not be in
+/// this part of a mesh.
 std::vector<MetSides> findMetSides(const DualMesh& mesh, std::size_t surfaceCount,
                                    const std::vector<char>& hasOpposite = {});
 

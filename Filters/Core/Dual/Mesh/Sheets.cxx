@@ -49,7 +49,7 @@ BoundaryStars findStars(const DualMesh& mesh, const RunContext& context)
   return stars;
 }
 
-/// For each element about a point, the number of its sector; numbered by first element.
+/// Returns the sector number of each element around a point; sectors are numbered by first element.
 std::vector<Index> sectorsOf(const DualMesh& mesh, Index point, std::span<const Index> star)
 {
   UnionFind sets(star.size());

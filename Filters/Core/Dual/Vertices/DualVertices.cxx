@@ -16,7 +16,7 @@ namespace {
 
 using LeafCuts = std::span<const Index>;
 
-/// What the vertices of a range of leaves are.
+/// Classification of the vertices of a range of leaves.
 struct Part
 {
   std::vector<ChainVertex> chain;
@@ -133,7 +133,7 @@ private:
   std::vector<CutEdge> edges;
 };
 
-/// Corners that no vertex took, of those whose curves are in the mesh about them.
+/// Corners that no vertex took, although their curves are in the mesh around them.
 std::vector<Index> missedCorners(const SurfaceModel& model, const std::vector<Index>& taken)
 {
   std::vector<Index> missed;
@@ -177,8 +177,8 @@ std::map<std::vector<Index>, std::vector<Index>> curvesByEnding(const SurfaceMod
   return curves;
 }
 
-/// Where a curve ends on a domain side, several vertices may come to lie in the one place. All but the first, or the
-/// one that has the corner, may leave the curve for its charts. Returns their positions in the chain.
+/// Detaches vertices that lie in one place, as several may where a curve ends on a domain side. All but the first, or
+/// the one that has the corner, may leave the curve for its charts. Returns their positions in the chain.
 std::vector<Index> detachCoincident(const std::vector<ChainVertex>& chain, const std::vector<Index>& corners,
                                     DualVertices& vertices)
 {
@@ -255,8 +255,8 @@ void fillPieces(VertexClassification& classification, const std::vector<Part>& p
   }
 }
 
-/// Vertices of clusters, and those that are not where they should be, need not stay where they are: elements about them
-/// are better, and valid sooner, where they give way. Those at sides of a turned domain stay there.
+/// Detaches vertices of clusters, and those that are not where they should be: elements around them are better, and
+/// valid sooner, if they give way. Vertices at sides of a turned domain stay there.
 void detachUnresolved(const Octree& octree, const SurfaceModel& model, const Buckets& cutsOf, DualVertices& vertices)
 {
   constexpr double reach = 0.25; // octants

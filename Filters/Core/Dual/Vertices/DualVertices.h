@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Places and classifies the vertices of the mesh, one per leaf.
 #pragma once
 
 #include "Dual/Grid/Crossings.h"
@@ -7,7 +8,7 @@
 
 namespace atria {
 
-/// Where a vertex may be moved.
+/// Pieces of the model to which a vertex is confined when it moves.
 enum class VertexClass : std::uint8_t
 {
   free,     ///< anywhere, in the domain's planes through its octant
@@ -18,14 +19,14 @@ enum class VertexClass : std::uint8_t
   detached  ///< near where it was: off the pieces it should be on, or in a cluster
 };
 
-/// How far a detached vertex may be, along each axis, from where it was.
+/// Limits how far a detached vertex may be, along each axis, from its first position.
 struct DisplacementLimit
 {
   Vec3 origin;
   double reach;
 };
 
-/// What vertices belong to.
+/// Classes of vertices and the pieces they belong to.
 struct VertexClassification
 {
   std::vector<VertexClass> classes;
@@ -35,7 +36,7 @@ struct VertexClassification
   std::vector<Index> pieces;
   /// Lateral sides of a turned domain (by Direction, as bits) on which vertices stay; empty without such a domain.
   std::vector<SideBits> turnedSides = {};
-  /// Of detached vertices.
+  /// Limits of detached vertices.
   std::unordered_map<Index, DisplacementLimit> displacementLimits = {};
 
   std::span<const Index> piecesOf(Index vertex) const
@@ -49,19 +50,19 @@ struct DualVertices
 {
   std::vector<Vec3> positions;
   VertexClassification classification;
-  /// Whether the vertex should be on several pieces of the model, or at a corner, and is not: they do not meet near
-  /// the octant, which is as fine as was allowed.
+  /// True if the vertex should be on several pieces of the model, or at a corner, and is not: they do not meet near the
+  /// octant, which is as fine as was allowed.
   std::vector<char> compromised;
   /// Corners of the model, as indices into its points, at which no vertex is although curves of the mesh pass by.
   std::vector<Index> missedCorners;
 };
 
-/// Places the vertex of each of `leaves`, which are in order. The faces round a vertex say what it is (LeafTopology):
-/// on a corner of the model, on a feature curve, on a surface, or free. A free one keeps the center of its octant; one
-/// on a curve goes to the middle of the curve's piece in the octant, one on a surface to the mean of the points where
-/// the octant's edges are cut, projected. Corners go to the vertices of their curves that are nearest to them, one
-/// each. Vertices that are compromised or in a cluster are detached. On a domain side the vertex lies exactly in the
-/// side's plane, and on corners and curves of the surfaces that lie there.
+/// Places the vertex of each of `leaves`, which are in order. The faces around a vertex determine its class
+/// (LeafTopology): on a corner of the model, on a feature curve, on a surface, or free. A free one keeps the center of
+/// its octant; one on a curve goes to the middle of the curve's piece in the octant, one on a surface to the mean of
+/// the points where the octant's edges are cut, projected. Corners go to the vertices of their curves that are nearest
+/// to them, one each. Vertices that are compromised or in a cluster are detached. On a domain side the vertex lies
+/// exactly in the side's plane, and on corners and curves of the surfaces that lie there.
 DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, const Crossings& crossings,
                            const std::vector<Index>& leaves, const RunContext& context);
 

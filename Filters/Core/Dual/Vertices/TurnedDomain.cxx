@@ -21,7 +21,7 @@ Placement turnOf(const GridFrame& frame)
   return Placement(frame.turnedDomain->axes.angle() - frame.placement.angle());
 }
 
-/// By the two sides: the mesh edges in which faces of one upright side meet those of another.
+/// Returns the mesh edges in which faces of one upright side meet those of another. Keys are the two sides.
 std::map<SideBits, std::vector<Edge>> edgesBetweenSides(const DualMesh& mesh, std::size_t surfaceCount)
 {
   std::map<Edge, SideBits> sidesOf;
@@ -50,7 +50,7 @@ std::map<SideBits, std::vector<Edge>> edgesBetweenSides(const DualMesh& mesh, st
   return between;
 }
 
-/// Where the two sides meet, if they do.
+/// Returns the corner in which the two sides meet, if they do.
 std::optional<Vec2> cornerOf(const PlacedPrism& domain, SideBits sides)
 {
   const std::vector<PrismSide>& all = domain.sides();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a domain that is no box along the grid asks of the mesh.
+/// Fits the mesh to a domain that is no box along the grid.
 #pragma once
 
 #include "Dual/Zones/Zones.h"
@@ -11,22 +11,22 @@ namespace atria {
 /// Marks faces of turned sides as sides of the domain, as faces on the planes of a box are.
 Crossings markTurnedSides(Crossings crossings, std::size_t surfaceCount);
 
-/// How far beyond the turned sides the point of each zone is that is farthest from them, negative inside: the sides
-/// part zones, so each lies wholly inside or beyond. Of points from `begin` up to `end`; 0 for zones that have none of
-/// these.
+/// Returns per zone how far the point farthest from the turned sides is beyond them, negative inside. The sides
+/// separate zones, so each lies wholly inside or beyond. Only points from `begin` up to `end` count; 0 for zones that
+/// have none of these.
 std::vector<double> farthestFromSides(const Zones& zones, const GridPlaces& grid, Index begin, Index end);
 
 /// Puts the vertices where faces of two turned sides meet on the domain's upright edges. An edge may lie in octants of
 /// which no corner is inside the domain; without this the mesh would cut it off there. O(n log n) in boundary faces.
 void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount);
 
-/// The sides on which the vertices of their faces are. Empty where the frame has none.
+/// Returns for each vertex the turned sides on which it lies and has faces. Empty if the frame has no turned sides.
 std::vector<SideBits> turnedSidesOf(const DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount);
 
-/// The place nearest to `position` on `sides`, within the domain's others.
+/// Returns the place nearest to `position` on `sides` and within the domain's other sides.
 Vec3 onTurnedSides(const Vec3& position, SideBits sides, const GridFrame& frame);
 
-/// Outward normals of the domain's sides by number, along the grid's axes; 0 of those it has not.
+/// Outward normals of the domain's sides by number, along the grid's axes; 0 for sides it does not have.
 std::vector<Vec3> sideNormalsOf(const GridFrame& frame);
 
 /// Moves vertices that follow a curve or corner of the model beyond the sides of a turned domain back onto the sides.

@@ -49,7 +49,7 @@ struct AheadRule : TriangleTree::AnyPlace
   }
 
 private:
-  /// Whether the place is also on the boundary edge's own triangle, or on one with a place nearer to p.
+  /// True if the place is also on the boundary edge's own triangle, or on one with a place nearer to p.
   bool isConnectedWithNearer(const TriangleTree::Place& place) const
   {
     const auto isNearer = [&](Index t) {
@@ -104,7 +104,7 @@ private:
       return {p, std::nullopt, 0.0};
     }
     const auto size = static_cast<double>(frame.latticeSize(octree.level(leaf)));
-    // What is as wide as an octant, but for rounding, is no gap.
+    // Gaps are narrower than an octant by more than rounding.
     const double narrow = size - latticeRounding;
     const std::optional<Vec3> side = sideAhead(p, narrow, outward);
     const double reach = side ? side->norm() : narrow;
@@ -119,7 +119,7 @@ private:
     return {p, touches ? Vec3(Vec3::Zero()) : Vec3(place->at - from), size};
   }
 
-  /// To the nearest domain side ahead.
+  /// Returns the way to the nearest domain side ahead.
   std::optional<Vec3> sideAhead(const LatticePoint& p, double reach, const Vec3& outward) const
   {
     std::optional<Vec3> best;

@@ -40,7 +40,7 @@ struct Plane
   Vec3 v;
 };
 
-/// The surfaces about a place.
+/// The surfaces around a place.
 class Surroundings
 {
 public:
@@ -178,7 +178,7 @@ Ball largestBall(const Surroundings& about, const Vec3& place, const Plane& plan
   return ball;
 }
 
-/// The largest ball in the gap about a place: in the plane in which there is least room, as long as the gap is open at
+/// The largest ball in the gap around a place: in the plane in which there is least room, as long as the gap is open at
 /// the place itself.
 Ball gapAt(const Surroundings& about, const Vec3& place, const Vec3& along, double size, double reach)
 {

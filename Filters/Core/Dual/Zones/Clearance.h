@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Measures distances from surfaces, and the narrowest passages between them.
 #pragma once
 
 #include "Dual/Zones/Zones.h"
 
 namespace atria {
 
-/// How far surfaces are from the grid points of a zone, and from the octree edges that join them. Surfaces on the
+/// Distances from the grid points of a zone, and from the octree edges that join them, to surfaces. Surfaces on the
 /// domain's sides count too, and its bottom, which is ground even where it is bare.
 ///
 /// Beside surfaces distances are exact. Farther away they are to the nearest of those triangles that are nearest to
@@ -19,7 +20,7 @@ public:
 
   Vec3 position(Index point) const;
   double ofPoint(Index point) const;
-  /// Of the uncut edge between two points: the least distance, and where on the edge it is.
+  /// Least distance of the uncut edge between two points, and its place on the edge.
   struct OfEdge
   {
     double distance;
@@ -29,7 +30,7 @@ public:
 
 private:
   double distanceTo(Index triangle, const Vec3& p) const;
-  /// The triangles in the leaves about a point, some of them more than once.
+  /// Lists the triangles in the leaves around a point, some of them more than once.
   void collect(Index point, std::vector<Index>& triangles) const;
   void spread(const std::vector<Index>& seeds, const Crossings& crossings);
 

@@ -10,7 +10,7 @@ namespace atria {
 
 namespace {
 
-/// Whether the edge from its lower end, or to an end of the domain, is one that nothing cuts.
+/// True if nothing cuts the edge, which is seen from its lower end or leads out of the domain.
 bool isUncut(Index point, int direction, const Crossings& crossings)
 {
   const std::int32_t code = crossings.neighbors[point][direction];
@@ -128,7 +128,7 @@ const std::vector<PassingEdge>& PassageFinder::through(const BridgeTriangle& bri
   return found_;
 }
 
-/// The uncut edges at the corners of the leaves about a box.
+/// Gathers the uncut edges at the corners of the leaves around a box.
 void PassageFinder::gather(const LatticeBox& box)
 {
   gathered_ = box;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Closes narrow cracks ahead of boundary edges by cutting the grid edges that pass them.
 #pragma once
 
 #include "Dual/Grid/Crossings.h"
@@ -26,14 +27,15 @@ struct PassingEdge
   }
 };
 
-/// Finds edges of the grid that nothing cuts and that pass bridges: exact as all crossings are, so that edges round a
+/// Finds edges of the grid that nothing cuts and that pass bridges: exact as all crossings are, so that edges around a
 /// place agree. Bridges near the one before cost little. Not for several threads at once.
 class PassageFinder
 {
 public:
   PassageFinder(const Crossings& crossings, const GridPlaces& grid) : crossings_(crossings), grid_(grid) {}
 
-  /// Those that pass a bridge, each with the cut that `triangle` makes there. They hold until the next call.
+  /// Returns the edges that pass a bridge, each with the cut that `triangle` makes there. The result is valid until the
+  /// next call.
   const std::vector<PassingEdge>& through(const BridgeTriangle& bridge, Index triangle);
 
 private:
@@ -47,7 +49,7 @@ private:
 
   const Crossings& crossings_;
   const GridPlaces& grid_;
-  std::optional<LatticeBox> gathered_; ///< about which the edges are
+  std::optional<LatticeBox> gathered_; ///< box around which the edges are
   std::vector<UncutEdge> edges_;
   std::vector<PassingEdge> found_;
 };

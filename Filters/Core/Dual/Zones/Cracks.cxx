@@ -27,7 +27,7 @@ public:
   {
   }
 
-  /// Those of an edge from a to b.
+  /// Steps of an edge that are gaps, from a to b.
   std::vector<CrackStep> stepsOf(Index edge, PassageFinder& passages) const
   {
     const auto count = static_cast<Index>(std::max<std::size_t>(gaps.stations[edge].size(), 1) - 1);
@@ -192,7 +192,7 @@ void straighten(LongCrack& chain)
   chain.crack.path = std::move(out);
 }
 
-/// Whether every point of a crack lies near one that is told already.
+/// Cracks reported so far, to skip those whose every point lies near one of them.
 class ToldCracks
 {
 public:

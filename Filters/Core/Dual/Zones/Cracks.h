@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Lists the narrow gaps ahead of boundary edges that the mesh closes or leaves open.
 #pragma once
 
 #include "Dual/Zones/BoundaryGaps.h"
@@ -17,7 +18,7 @@ struct Crack
   double width;
   /// A grid point beside it in a zone that is kept.
   Index point;
-  /// Whether an uncut octree edge passes through it, so that the spaces on both sides are one zone. Else the mesh
+  /// True if an uncut octree edge passes through it, so that the spaces on both sides are one zone. Else the mesh
   /// closes it.
   bool open;
 };
@@ -51,15 +52,15 @@ std::vector<CrackStep> findCrackSteps(const BoundaryGaps& gaps, const Zones& zon
                                       const Crossings& crossings, const GridPlaces& grid,
                                       const std::function<bool(Index leaf)>& isSeen, const MeshingContext& context);
 
-/// The cracks that these steps are, in any order. Points are as they are in the steps.
+/// Joins steps, which may be in any order, to cracks. Points are those of the steps.
 std::vector<Crack> joinCracks(const BoundaryEdges& boundary, const std::vector<CrackStep>& steps);
 
 /// Lists the gaps of a model's boundary edges in zones that are kept. One is open where an uncut octree edge passes its
 /// bridge, also so near along the boundary edge that the edge's dual face reaches there.
 ///
-/// A gap that faces across the boundary edge, as between sheets that lap, is not looked for. Steps that follow each
-/// other, over the points of the boundary edges too, are one crack; what both of its boundary edges tell is told once.
-/// Closed cracks come first, and long ones. The result does not depend on threads.
+/// A gap that faces across the boundary edge, as between sheets that lap, is not searched. Steps that follow each
+/// other, over the points of the boundary edges too, are one crack. A crack that both of its boundary edges show is
+/// reported once. Closed cracks come first, and long ones. The result does not depend on threads.
 std::vector<Crack> findCracks(const BoundaryGaps& gaps, const Zones& zones, const std::vector<char>& kept,
                               const Crossings& crossings, const GridPlaces& grid, const MeshingContext& context);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What permeable surfaces make of the grid points.
+/// Labels that permeable surfaces give to the grid: zone faces, rooms and cell zones.
 #pragma once
 
 #include "Dual/Zones/CellZones.h"

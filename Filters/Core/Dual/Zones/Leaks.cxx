@@ -149,10 +149,10 @@ std::vector<Clearance::OfEdge> clearancesAlong(const std::vector<Index>& way, co
   return edges;
 }
 
-/// The edges of a way among which its narrowest place is looked for, narrowest first: those that are clearly narrower
-/// than the way was before, so that a seed close to a wall is none; where the way narrows nowhere so, the one that is
-/// narrowest against the way before. Of the former those that are nearly as narrow as the narrowest, and the neighbors
-/// of that: a grid point close to a wall makes edges seem narrow that are beside the gap.
+/// Returns the edges of a way to search for its narrowest place, narrowest first. These are clearly narrower than the
+/// way was before, so that a seed close to a wall does not count; if there is none, the one that is narrowest compared
+/// with the way before. Only those nearly as narrow as the narrowest are kept, and the neighbors of that: a grid point
+/// close to a wall makes edges beside the gap seem narrow.
 std::vector<std::size_t> narrowEdges(const std::vector<Clearance::OfEdge>& edges)
 {
   constexpr double clearlyNarrower = 0.75;
@@ -252,7 +252,7 @@ void drawPath(Leak& leak, const Clearance& clearance, const GridFrame& frame)
   leak.path.push_back(onSide(leak, leak.path.back(), frame));
 }
 
-/// Edge of the finest leaf about a point.
+/// Edge length of the finest leaf around a point.
 double sizeAt(Index point, const Octree& octree, const GridPoints& points)
 {
   double size = octree.frame().rootSize();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds the ways by which the zones of sealed seeds leak to the outside.
 #pragma once
 
 #include "Dual/Zones/Zones.h"
@@ -8,7 +9,7 @@ namespace atria {
 /// A way from a point whose zone should be closed to the outside.
 struct Leak
 {
-  /// Which of the seeds it is, and where.
+  /// Index and position of the seed.
   std::size_t index;
   Vec3 seed;
   /// The way: grid points, each joined to the next across an uncut octree edge. The first is the seed's; from the last,
@@ -27,12 +28,12 @@ struct Leak
   Index point;
 };
 
-/// Whether a zone reaches an open side of the domain other than its bottom.
+/// True if a zone reaches an open side of the domain other than its bottom.
 bool isLeaking(std::int32_t zone, const Zones& zones);
 
-/// For each seed whose zone is leaking, the widest way to such a side: the one whose narrowest edge is as far from
-/// surfaces as possible (maximum capacity path; Pollack 1960). Throws Error for a seed outside the domain. Cost where
-/// there is a leak: O(n log n) in the points of its zone.
+/// Returns for each seed whose zone is leaking the widest way to such a side: the one whose narrowest edge is as far
+/// from surfaces as possible (maximum capacity path; Pollack 1960). Throws Error for a seed outside the domain. Cost
+/// where there is a leak: O(n log n) in the points of its zone.
 std::vector<Leak> findLeaks(const std::vector<Vec3>& sealedSeeds, const Zones& zones, const Crossings& crossings,
                             const GridPlaces& grid, const SurfaceModel& model, const RunContext& context);
 

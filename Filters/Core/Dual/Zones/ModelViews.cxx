@@ -66,7 +66,7 @@ private:
     }
   }
 
-  /// Triangles on sides of the domain are no obstacle: the faces they name tell.
+  /// Triangles on sides of the domain are no obstacle: the faces they name decide.
   void voteOfSides()
   {
     EdgeProbe probe(grid.octree(), model);
@@ -190,8 +190,8 @@ private:
   const ViewShare& share;
   const RunContext& context;
   std::vector<Index> pieceOf;
-  std::vector<TriangleViews> views; ///< by piece
-  std::vector<Votes> votes;         ///< by piece
+  std::vector<TriangleViews> views; ///< one per piece
+  std::vector<Votes> votes;         ///< one per piece
 };
 
 } // namespace
@@ -256,8 +256,8 @@ std::vector<TriangleViews> findModelViews(const Crossings& crossings, const Grid
 std::vector<float> findAirParts(const Crossings& crossings, const Zones& zones, const std::vector<View>& ofZone,
                                 const SurfaceModel& model, const ViewShare& share, const RunContext& context)
 {
-  constexpr std::uint32_t fewest = 3; // edges that can tell
-  constexpr float nearlyAll = 0.75F;  // where walls meet, an edge may cut both
+  constexpr std::uint32_t fewest = 3; // edges needed to decide
+  constexpr float nearlyAll = 0.75F;  // an edge may cut two walls that meet
   std::vector<std::uint32_t> cut(model.triangles.size(), 0);
   std::vector<std::uint32_t> aired(model.triangles.size(), 0);
   const auto isAir = [&](Index point) { return viewAt(point, zones, ofZone) == View::air; };

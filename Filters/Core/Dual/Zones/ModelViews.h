@@ -7,26 +7,26 @@
 
 namespace atria {
 
-/// What is in front of one side of a triangle.
+/// Kind of space in front of one side of a triangle.
 enum class View : std::uint8_t
 {
-  nothing, ///< no edge of the grid tells: the piece is finer than the grid
+  nothing, ///< no edge of the grid decides: the piece is finer than the grid
   air,     ///< a zone that is meshed
   ground,  ///< an open zone that is not meshed: under the ground
   solid,   ///< the inside of a solid
   narrow,  ///< a closed space without an element that has elements on all of its sides
   room,    ///< a closed room that is not meshed
-  beyond   ///< what is outside of the domain
+  beyond   ///< the outside of the domain
 };
 inline constexpr std::size_t viewCount = 7;
 
-/// By SheetSide: the front of a triangle, then its back.
+/// Views of the front of a triangle, then of its back, as in SheetSide.
 using TriangleViews = std::array<View, 2>;
 
-/// Returns what each zone is to the triangles beside it.
+/// Returns the view that triangles have of each zone beside them.
 std::vector<View> viewsOfZones(const std::vector<ZoneSummary>& zones);
 
-/// The grid points that a process counts the edges of, [begin, end), and the ranks it shares the grid with, if any.
+/// The grid points [begin, end) whose edges a process counts, and the ranks it shares the grid with, if any.
 struct ViewShare
 {
   Index begin;
@@ -38,7 +38,7 @@ struct ViewShare
 /// piece are joined across edges that no third one has, and are wound alike.
 std::vector<Index> piecesBetweenEdges(const SurfaceModel& model, Index& count, const Executor& executor);
 
-/// What is at a grid point; nothing beyond the domain.
+/// Returns the view of a grid point's zone; `nothing` beyond the domain.
 inline View viewAt(Index point, const Zones& zones, const std::vector<View>& ofZone)
 {
   const auto zone = point == noIndex ? ofZone.size() : static_cast<std::size_t>(zones.ofPoint[point]);
@@ -47,18 +47,18 @@ inline View viewAt(Index point, const Zones& zones, const std::vector<View>& ofZ
 
 /// Returns the views of each triangle of the model.
 ///
-/// The triangles of a piece see the same, as the repair cuts triangles wherever others pass
-/// through. The edges of the grid that cut such a piece vote: the first triangle on an edge sees the zone of its first
-/// point, the last one that of its other point, and neighbors between them see each other's zone. The majority decides.
+/// The triangles of a piece see the same, as the repair cuts triangles wherever others pass through. The edges of the
+/// grid that cut such a piece vote: the first triangle on an edge sees the zone of its first point, the last one that
+/// of its other point, and neighbors between them see each other's zone. The majority decides. The result depends
+/// neither on threads nor on ranks. O(triangles · log triangles + crossings).
 /// \param zones  The zones of `crossings`.
-/// \param ofZone  By zone; zones beyond its end are nothing.
-/// The result depends neither on threads nor on ranks. O(triangles · log triangles + crossings).
+/// \param ofZone  One view per zone; zones beyond its end are `nothing`.
 std::vector<TriangleViews> findModelViews(const Crossings& crossings, const GridPlaces& grid, const Zones& zones,
                                           const std::vector<View>& ofZone, const SurfaceModel& model,
                                           const ViewShare& share, const RunContext& context);
 
 /// Returns, by triangle, the part of the edges of the grid through it that see air: 1 where nearly all of them do, or
-/// where too few of them cut it to tell. In the rest air is behind another surface that is nearer than the next point
+/// where too few of them cut it to decide. In the rest air is behind another surface that is nearer than the next point
 /// of the grid, as between walls with a thin gap.
 std::vector<float> findAirParts(const Crossings& crossings, const Zones& zones, const std::vector<View>& ofZone,
                                 const SurfaceModel& model, const ViewShare& share, const RunContext& context);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What face zones part: rooms.
+/// Divides the kept zones into rooms at face zones.
 #pragma once
 
 #include "Dual/Zones/ZoneSummary.h"
@@ -9,7 +9,7 @@
 
 namespace atria {
 
-/// Of grid points that are in no room.
+/// Value for grid points that are in no room.
 inline constexpr std::int32_t noRoom = -1;
 
 /// Rooms are the parts of the kept zones that faces of face zones divide them into. The outdoors is one room, whatever
@@ -31,16 +31,16 @@ struct RoomOptions
   bool sidesAreWalls = false;
 };
 
-/// Whether there are rooms to be found: some surface is a face zone.
+/// True if there are rooms to find: some surface is a face zone.
 bool hasRooms(const SurfaceModel& model);
 
-/// `zoneFaces` as findZoneFaces() has them, `summaries` with the kind of each zone. Where an opening found by rule
-/// leads to a part that is no room of its own, as where a pane closes it, its faces are taken out of `zoneFaces`.
+/// `zoneFaces` as findZoneFaces() has them, `summaries` with the kind of each zone. Takes faces of an opening found by
+/// rule out of `zoneFaces` if it leads to a part that is no room of its own, as where a pane closes it.
 Rooms findRooms(const Zones& zones, const std::vector<ZoneSummary>& summaries, const Crossings& crossings,
                 std::vector<ZoneFace>& zoneFaces, const SurfaceModel& model, const RoomOptions& options,
                 const RunContext& context);
 
-/// What is known of a part that face zones divide zones into, or of some points of it.
+/// Facts about a part that face zones divide zones into, or about some points of it.
 struct RoomPart
 {
   std::size_t size = 0;
@@ -51,7 +51,7 @@ struct RoomPart
   void add(const RoomPart& other);
 };
 
-/// Faces of face zones between two parts, by these.
+/// Number of faces of face zones between two parts, by pair of parts.
 using PartBorders = std::map<std::pair<Index, Index>, std::size_t>;
 
 /// Grid points as face zones part them.
@@ -62,10 +62,11 @@ public:
 
   /// The neighbor in a direction, if nothing is between; noIndex otherwise.
   Index nextTo(Index point, int direction) const;
-  /// What is known of parts from points in a row, of which `partOf` gives their parts, from `first` on.
+  /// Returns the facts about parts that follow from points in a row. `partOf` gives the parts of these points, from
+  /// `first` on.
   std::vector<RoomPart> describe(Index first, std::span<const Index> partOf, std::size_t partCount, const Zones& zones,
                                  const std::vector<ZoneSummary>& summaries, const RoomOptions& options) const;
-  /// Of the faces of zones whose elements are in that row; `partOf` is that of all points.
+  /// Counts the zone faces between parts whose elements are in that row; `partOf` is that of all points.
   PartBorders borders(Index first, Index end, std::span<const Index> partOf) const;
 
 private:
@@ -73,7 +74,7 @@ private:
 
   const Crossings& crossings;
   const SurfaceModel& model;
-  /// By direction, where a face of a face zone is.
+  /// One entry per grid point, with a bit for each direction in which a face of a face zone is.
   std::vector<std::uint8_t> blocked;
   std::vector<std::pair<Index, Index>> between;
 };
@@ -89,7 +90,7 @@ struct PartedRooms
 };
 PartedRooms joinParts(const std::vector<RoomPart>& parts, const PartBorders& borders);
 
-/// Rooms of points from those of their parts, and faces that lead nowhere taken out.
+/// Returns the rooms of points from those of their parts, and removes faces that lead nowhere.
 Rooms roomsOf(const PartedRooms& rooms, std::span<const Index> partOf, const Crossings& crossings,
               std::vector<ZoneFace>& zoneFaces, const SurfaceModel& model);
 

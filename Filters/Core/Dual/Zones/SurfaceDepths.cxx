@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// By surface that is a cell zone.
+/// Returns bounds per surface; empty ones for surfaces that are no cell zone.
 std::vector<Box3> boundsOfZones(const SurfaceModel& model)
 {
   std::vector<Box3> bounds(model.names.size());
@@ -27,7 +27,7 @@ std::vector<Box3> boundsOfZones(const SurfaceModel& model)
   return bounds;
 }
 
-/// By surface that is a cell zone the crossed edges that it cuts.
+/// Returns the crossed edges that each surface cuts; none for surfaces that are no cell zone.
 std::vector<std::vector<Index>> edgesOfZones(const Crossings& crossings, const SurfaceModel& model)
 {
   std::vector<std::vector<Index>> edges(model.names.size());
@@ -78,7 +78,7 @@ Index across(const Crossings& crossings, Index point, int direction)
                                       : noIndex;
 }
 
-/// By point and direction, how often the edge crosses a surface along its normal, less against it.
+/// How often an edge, given by point and direction, crosses a surface along its normal, less how often against it.
 using Senses = std::map<std::pair<Index, std::uint8_t>, int>;
 
 Senses sensesOf(Index surface, const std::vector<Index>& edges, const Crossings& crossings, const SurfaceModel& model)
@@ -97,7 +97,7 @@ Senses sensesOf(Index surface, const std::vector<Index>& edges, const Crossings&
   return senses;
 }
 
-/// Adds what another part has, whose depths are so much more. False where beyond the bounds they are others.
+/// Adds another part, whose depths are higher by `more`. Returns false if the depths beyond the bounds disagree.
 bool add(const DepthPart& other, int more, DepthPart& part)
 {
   const auto less = [more](int depth) { return depth == DepthPart::none ? depth : depth - more; };
@@ -173,7 +173,7 @@ private:
     return (p.array() < bounds.min.array()).any() || (p.array() > bounds.max.array()).any();
   }
 
-  /// Whether an edge crosses no other surface.
+  /// True if an edge crosses no other surface.
   bool isSure(Index point, int direction) const
   {
     const auto found = openEdges.find(keyOf(point, direction));
@@ -296,7 +296,8 @@ private:
     return agree;
   }
 
-  /// What has no depth outside takes the least of those beyond other surfaces, of which more are known each time.
+  /// Gives groups without a depth outside the least one beyond other surfaces. More are known each time; returns true
+  /// if some were added.
   bool settleMore(std::vector<int>& outside) const
   {
     std::vector<int> next = outside;
@@ -311,7 +312,7 @@ private:
     {
       const Index one = groupOf[link.part];
       const Index other = groupOf[link.other];
-      const int more = zero[link.part] + link.depth - zero[link.other]; // of the other's depths
+      const int more = zero[link.part] + link.depth - zero[link.other]; // excess of the other's depths
       if (outside[other] != DepthPart::none)
       {
         lower(one, outside[other] - more);
@@ -328,7 +329,7 @@ private:
 
   const std::vector<DepthPart>& parts;
   const std::vector<DepthLink>& links;
-  std::vector<int> zero; ///< by part, the depth that is 0 in its group
+  std::vector<int> zero; ///< one per part: the depth that is 0 in its group
   std::vector<Index> groupOf;
   std::vector<DepthPart> groups;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How often closed surfaces lie about grid points.
+/// Counts how often closed surfaces lie around grid points.
 #pragma once
 
 #include "Dual/Grid/Crossings.h"
@@ -12,21 +12,21 @@
 
 namespace atria {
 
-/// Grid points within the bounds of a surface that edges join, but those that cross other surfaces: where two coincide
-/// the faces are one's alone, so that such edges may cross this one, too, unseen. Depths, how often the surface lies
-/// about a point, are counted from one of the points.
+/// Grid points within the bounds of a surface, joined by edges that cross no other surface. If two surfaces coincide
+/// the faces are one's alone, so edges across another surface may cross this one, too, unseen. A depth is how often the
+/// surface lies around a point, counted from one of the points.
 struct DepthPart
 {
   static constexpr int none = std::numeric_limits<int>::max();
 
-  /// Of points beyond the bounds, if there are any: that of all of them.
+  /// Common depth of all points beyond the bounds, if there are any.
   int beyond = none;
-  /// The least of those beyond other surfaces, and of the part's own points.
+  /// Least depth beyond other surfaces, and of the part's own points.
   int beyondOthers = none;
   int least = 0;
 };
 
-/// Two parts that edges join: what is `depth` in the other one is 0 in the first.
+/// Two parts that edges join: `depth` in the other one is 0 in the first.
 struct DepthLink
 {
   Index part;
@@ -52,13 +52,13 @@ struct DepthJoint
   bool isSure; ///< as in DepthLink
 };
 
-/// Of one surface, what points in a row tell.
+/// Depths around one surface, from points in a row.
 struct SurfaceDepths
 {
   std::vector<DepthPart> parts;
-  /// Those within the bounds, by point: all that edges lead to from where they cross the surface or leave the row.
+  /// Points within the bounds, sorted: all that edges lead to from where they cross the surface or leave the row.
   std::vector<PointDepth> points;
-  /// Between parts: over other surfaces.
+  /// Links between parts, across other surfaces.
   std::vector<DepthLink> links;
   /// Points within the bounds, but not in the row, beside such points, with the depth they have from there.
   std::vector<DepthJoint> joints;
@@ -66,10 +66,10 @@ struct SurfaceDepths
   bool isClosed = true; ///< no two ways within a part lead to different depths
 };
 
-/// By point and direction, of edges that no wall cuts, the surface that does; noIndex where these are several.
+/// The permeable surface that cuts an edge which no wall cuts, by point and direction; noIndex if several do.
 using OpenEdges = std::unordered_map<std::uint64_t, Index>;
 
-/// For surfaces that are cell zones, from points of a row.
+/// Finds the depths around surfaces that are cell zones, from points in a row.
 class DepthFinder
 {
 public:
@@ -83,7 +83,7 @@ private:
   const SurfaceModel& model;
   Index firstPoint;
   Index endPoint;
-  /// By surface, its bounds and the crossed edges that it cuts.
+  /// Bounds of each surface, and the crossed edges that it cuts.
   std::vector<Box3> bounds;
   std::vector<std::vector<Index>> edges;
   OpenEdges openEdges;
@@ -91,8 +91,9 @@ private:
   std::vector<Index> atEnds;
 };
 
-/// By part the depth of what is not enclosed. That is what is beyond the bounds; a part that does not lead there has it
-/// of those beyond other surfaces, the least, or else of its own points. Nothing where there is none that all agree on.
+/// Returns per part the depth of what is not enclosed: the depth beyond the bounds. A part that does not lead there has
+/// the least depth beyond other surfaces, or else of its own points. Returns nullopt if the parts contradict each
+/// other.
 std::optional<std::vector<int>> depthsOutside(const std::vector<DepthPart>& parts, const std::vector<DepthLink>& links);
 
 } // namespace atria

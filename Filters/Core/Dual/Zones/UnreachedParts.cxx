@@ -21,7 +21,8 @@ bool isHidden(const TriangleViews& views)
   return std::ranges::all_of(views, [](View view) { return view == View::solid || view == View::ground; });
 }
 
-/// Sides that no edge of the grid sees, as the insides of beams thinner than an octant: closed bodies tell, or rays.
+/// Sides that no edge of the grid sees, such as the insides of beams thinner than an octant: closed bodies decide, or
+/// rays.
 class UnseenSides
 {
 public:
@@ -64,7 +65,7 @@ public:
   }
 
 private:
-  /// Of a space.
+  /// Facts about a space.
   struct Space
   {
     bool isOpen = false;  ///< air may be in it
@@ -79,7 +80,7 @@ private:
 
   View viewOf(Index side) const { return views[largest[side / 2]][side % 2]; }
 
-  /// To sides that have none.
+  /// Gives views to sides that have none.
   template <typename ViewOf> void giveViews(ViewOf&& viewBefore)
   {
     for (Index t = 0; t < views.size(); ++t)
@@ -171,7 +172,7 @@ private:
     return out;
   }
 
-  /// What is in a cluster is not resolved in any case.
+  /// True if p is in a cluster, which is not resolved in any case.
   bool isInCluster(const Vec3& p) const
   {
     const LatticePoint at{std::llround(p[0]), std::llround(p[1]), std::llround(p[2])};
@@ -216,8 +217,8 @@ private:
   Index count = 0;
   std::vector<Index> pieceOf;
   std::vector<Index> largest; ///< triangle of each piece
-  UnionFind sets;             ///< of sides, two for each piece
-  std::vector<Space> facts;   ///< by the first side of a space
+  UnionFind sets;             ///< sets of sides, two for each piece
+  std::vector<Space> facts;   ///< indexed by the first side of a space
 };
 
 /// Takes back pieces that leave an edge with one triangle where there were several.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Leaves aside what no air that is meshed can reach, such as rafters in a roof.
+/// Removes the parts of a model that no meshed air can reach, such as rafters in a roof.
 #pragma once
 
 #include "Dual/Zones/ModelViews.h"
@@ -8,24 +8,25 @@
 
 namespace atria {
 
-/// What of a model the mesh cannot touch.
+/// Parts of a model that the mesh cannot touch.
 struct UnreachedParts
 {
-  /// By triangle of the model; empty where air may reach all of them.
+  /// One entry per triangle of the model; empty if air may reach all of them.
   std::vector<char> isUnreached;
-  /// By triangle, if there are any.
+  /// Views of each triangle, if there are unreached ones.
   std::vector<TriangleViews> views;
 
   bool any() const { return !isUnreached.empty(); }
 };
 
 /// Finds the walls that see the inside of solids, or what is under the ground, on both of their sides. Sides that no
-/// edge of the grid sees, as the insides of thin beams, are so inside of closed bodies; others are looked at by rays.
+/// edge of the grid sees, as the insides of thin beams, count as such inside of closed bodies; others are decided by
+/// rays.
 ///
-/// Walls of closed rooms are not among them: a room may be wanted by a seed. Nor is what lies on sides of the domain,
-/// or what leaves an edge of other triangles open without it. \param crossings  Of the octree's own grid: moves of grid
-/// points open no way into solids. \param ofZone     Views of zones, see viewsOfZones(). Parameters otherwise as of
-/// findModelViews().
+/// Walls of closed rooms are not among them, as a seed may request a room. Neither are triangles on sides of the
+/// domain, nor triangles whose removal leaves an edge of others open. Parameters are as of findModelViews(), but for:
+/// \param crossings  Those of the octree's own grid: moves of grid points open no way into solids.
+/// \param ofZone     Views of zones, see viewsOfZones().
 UnreachedParts findUnreachedParts(const Crossings& crossings, const GridPlaces& grid, const Zones& zones,
                                   const std::vector<View>& ofZone, const SolidPlaces& solids, const ViewShare& share,
                                   const MeshingContext& context);
@@ -38,7 +39,7 @@ public:
   ReachedModel(const UnreachedParts& parts, const MeshingContext& context);
 
   MeshingContext in(const RunContext& run) const { return {run, octree_, model_, tree_}; }
-  /// To be freed when only its frame is needed any more.
+  /// The octree may be freed when only its frame is needed any more.
   Octree& octree() { return octree_; }
 
 private:

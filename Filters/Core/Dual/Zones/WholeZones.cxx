@@ -13,7 +13,7 @@ namespace {
 using ZonePair = std::array<std::int32_t, 2>;
 using ZonePairs = std::map<ZonePair, std::size_t>;
 
-/// How many points that were not moved are in two zones.
+/// Counts the points in each pair of zones, without those that were moved.
 ZonePairs countPairs(const WholeZones& whole, const Zones& zones, const GridPlaces& grid, const ViewShare& share)
 {
   ZonePairs counts;
@@ -130,7 +130,7 @@ void listAs(const WholeZones& whole, const std::vector<std::int32_t>& ofWhole, B
   kept = std::move(isKept);
   for (std::int32_t& zone : ofElement)
   {
-    // What is of no zone that is known here is cut off later.
+    // Elements of a zone that is unknown here are cut off later.
     const auto number = static_cast<std::size_t>(zone);
     zone = number < numbers.size() ? numbers[number] : static_cast<std::int32_t>(summaries.size());
   }

@@ -7,7 +7,7 @@
 namespace atria {
 
 /// Zones of the octree's own grid, which has all of the model. Solids that lie in each other, and rooms below the
-/// ground, are told apart there.
+/// ground, are distinguished there.
 struct WholeZones
 {
   std::vector<std::int32_t> ofPoint;

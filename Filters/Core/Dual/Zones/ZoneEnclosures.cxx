@@ -13,15 +13,15 @@ constexpr SideBits bottom = SideBits{1} << zMin;
 constexpr SideBits top = SideBits{1} << zMax;
 
 /// How large rooms must be against the walls around them, by volume, to be kept instead of these. Furniture hardly ever
-/// fills half of a room without touching its sides; walls of a bunker may be larger than its rooms, but are told by
-/// their winding.
+/// fills half of a room without touching its sides; walls of a bunker may be larger than its rooms, but are recognized
+/// by their winding.
 constexpr double leastRooms = 1.0;
 constexpr double leastRoomsWound = 0.1;
 
-/// The part of faces that has to agree for the winding to tell something.
+/// The part of faces that has to agree for the winding to count.
 constexpr double clearPart = 0.9;
 
-/// Rooms behind thick walls, as far as zones tell.
+/// Rooms behind thick walls, as far as zones show them.
 class ThickWalls
 {
 public:
@@ -73,7 +73,8 @@ private:
     return (zones.openSides[zone] & ~bottom) == 0 && (enclosures.isWithinBody(zone) || seesBacks(zone));
   }
 
-  /// What lies in a hollow, is closed, or is open to the sides like a channel: not what is under a terrain.
+  /// True if the zone lies in a hollow, is closed, or is open to the sides like a channel; false if it is under a
+  /// terrain.
   bool isRoom(std::size_t zone, bool kept) const
   {
     if (facts.zones[zone].isBeyond || enclosures.isWithinBody(zone))
@@ -103,7 +104,7 @@ private:
     const auto isClear = [](std::size_t part, std::size_t other) {
       return static_cast<double>(part) >= clearPart * static_cast<double>(part + other);
     };
-    // The repair turns closed bodies outwards; as drawn, hollows are told by their winding.
+    // The repair turns closed bodies outwards; as drawn, hollows are recognized by their winding.
     const bool areHollows = std::ranges::all_of(rooms, [&](std::size_t zone) { return enclosures.isHollow(zone); });
     const bool areClear = isClear(ofWalls.backs, ofWalls.fronts) && isClear(ofRooms.fronts, ofRooms.backs);
     return areHollows || areClear ? leastRoomsWound : leastRooms;
@@ -114,7 +115,7 @@ private:
   const ZoneEnclosures& enclosures;
   const std::vector<char>& isWithin;
   std::vector<double> volumes;
-  /// Whether the top of the domain is bare somewhere.
+  /// True if the top of the domain is bare somewhere.
   bool isOpenAbove = false;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which zones are inside of the model's closed bodies, and which are kept on that account.
+/// Finds the zones inside of the model's closed bodies, and chooses the zones to keep.
 #pragma once
 
 #include "Dual/Zones/ZoneSummary.h"
@@ -13,9 +13,9 @@ namespace atria {
 struct DrawnModel
 {
   const TriangleSurface& surface;
-  /// By surface.
+  /// One entry per surface.
   std::vector<char> isGround;
-  /// Of its walls.
+  /// Closed bodies of its walls.
   ClosedBodies bodies;
 };
 
@@ -28,31 +28,31 @@ public:
   /// O(log triangles) for each zone.
   ZoneEnclosures(const ClosedBodies& bodies, const ZoneFacts& facts, const GridFrame& frame, const RunContext& context);
 
-  /// How many bodies lie around a zone's place.
+  /// Number of bodies around a zone's place.
   std::size_t depth(std::size_t zone) const { return zone < around_.size() ? around_[zone].size() : 0; }
-  /// Whether an odd number of bodies that lie in each other is around a zone, or bodies that cross: what is between a
-  /// closed body and those within it is its inside, and what is within those is not. A body that crosses a larger one
-  /// has an inside everywhere, such as furniture partly in a wall, unless its winding makes it a hollow.
+  /// True if an odd number of bodies that lie in each other is around a zone, or bodies that cross. The space between a
+  /// closed body and those within it is its inside; the space within those is not. A body that crosses a larger one has
+  /// an inside everywhere, such as furniture partly in a wall, unless its winding makes it a hollow.
   bool isWithinBody(std::size_t zone) const;
-  /// Whether the innermost body around a zone lies in another one and is drawn the other way round.
+  /// True if the innermost body around a zone lies in another one and is drawn the other way round.
   bool isHollow(std::size_t zone) const;
-  /// By closed body, whether a zone around which it lies is kept.
+  /// Marks the closed bodies around a kept zone that is within a body (isWithinBody).
   std::vector<char> holdsAir(const std::vector<char>& kept) const;
-  /// What each zone is, where bodies tell. A body around a zone that is kept holds air, unless the zone is in a hollow
-  /// of it. A hollow is a body within another one that is wound the other way.
+  /// Returns the enclosure of each zone by bodies. A body around a zone that is kept holds air, unless the zone is in a
+  /// hollow of it. A hollow is a body within another one that is wound the other way.
   std::vector<Enclosure> kinds(const std::vector<char>& kept) const;
 
 private:
   bool isChain(const std::vector<Index>& bodies) const;
   bool isInside(Index inner, Index outer) const;
 
-  std::vector<std::vector<Index>> around_; ///< by zone, the largest first
-  std::vector<double> volumes_;            ///< by body, signed
+  std::vector<std::vector<Index>> around_; ///< bodies around each zone, the largest first
+  std::vector<double> volumes_;            ///< signed, one per body
   std::map<std::pair<Index, Index>, bool> isInside_;
-  std::vector<char> crossesLarger_; ///< by body, as far as zones tell
+  std::vector<char> crossesLarger_; ///< one per body, as far as zones show it
 };
 
-/// Tells places inside of solids, whether or not a point of the grid is there.
+/// Recognizes places inside of solids, with or without a point of the grid there.
 class SolidPlaces
 {
 public:
@@ -63,7 +63,7 @@ public:
   {
   }
 
-  /// Of a place along the grid's axes, in model units: whether bodies lie around it, and none of these holds air.
+  /// True if bodies lie around a place and none of these holds air. The place is along the grid's axes, in model units.
   bool contains(const Vec3& place) const;
 
 private:
@@ -72,11 +72,11 @@ private:
   Placement placement_;
 };
 
-/// Which zones are kept. Those that a rule keeps, where the domain is turned only those inside: `farthest` is from
-/// farthestFromSides, or empty. With ZoneRule::outside, what is inside of a shell that touches the domain's sides is no
-/// air where rooms are behind it: if zones at the sides are within closed bodies, or see only backs, and if the rooms
-/// that they enclose are larger (or no smaller than a tenth, where all faces are wound so), rooms are kept instead.
-/// Throws Error where no zone is left.
+/// Marks the zones to keep: those that the rule keeps, and in a turned domain only those inside it. `farthest` is from
+/// farthestFromSides, or empty. With ZoneRule::outside, the inside of a shell that touches the domain's sides is no air
+/// if rooms are behind it: if zones at the sides are within closed bodies, or see only backs, and if the rooms that
+/// they enclose are larger (or no smaller than a tenth, where all faces are wound so), rooms are kept instead. Throws
+/// Error where no zone is left.
 std::vector<char> chooseZones(const Zones& zones, ZoneRule rule, const std::vector<std::int32_t>& seedZones,
                               const std::vector<double>& farthest, const ZoneFacts& facts,
                               const ZoneEnclosures& enclosures, const GridFrame& frame);

@@ -11,7 +11,7 @@ namespace atria {
 
 namespace {
 
-/// Whether nothing of the model is in any leaf about a point.
+/// True if no leaf around a point holds a piece of the model.
 bool isFree(const Octree& octree, const std::array<Index, 8>& leaves)
 {
   return std::all_of(leaves.begin(), leaves.end(), [&](Index leaf) { return octree.items(leaf).empty(); });
@@ -45,8 +45,8 @@ Vec3 placeAt(Index point, const GridPlaces& grid)
   return at;
 }
 
-/// A point of a zone and the level of the finest octant about it, where nothing of the model is in any; else the
-/// greatest number.
+/// A point of a zone and the level of the finest octant around it, or the greatest number if one holds a piece of the
+/// model.
 struct RoomyPoint
 {
   std::int32_t zone;
@@ -54,7 +54,7 @@ struct RoomyPoint
   int finest;
 };
 
-/// For the zones of some points, in a row, the point with the largest octants about it; else the first one.
+/// Returns for each zone of the points in a row the point with the largest octants around it; else the first one.
 std::vector<RoomyPoint> roomiestOf(const Zones& zones, Index begin, Index end, const GridPlaces& grid)
 {
   const Octree& octree = grid.octree();
@@ -137,7 +137,7 @@ void addUp(CountList& list)
   list = std::move(sums);
 }
 
-/// What zones see, and how many faces of which surfaces they have.
+/// Adds what zones see, and how many faces of which surfaces they have.
 void lookAtFaces(const Zones& zones, const Crossings& crossings, std::size_t surfaceCount, const GridPart& part,
                  const std::vector<char>& isGround, ZoneFacts& facts)
 {
@@ -158,7 +158,7 @@ void lookAtFaces(const Zones& zones, const Crossings& crossings, std::size_t sur
       continue;
     }
     facts.faces.push_back({number, face.tag, 1});
-    if (face.direction != zMin) // what is below is not looked at: solids stand on the ground
+    if (face.direction != zMin) // faces below do not count, as solids stand on the ground
     {
       zone.seesBacksOfOne =
           zone.seesBacksOfOne && face.side == SheetSide::back && (zone.surface == noIndex || zone.surface == face.tag);
@@ -238,11 +238,11 @@ void append(const ZoneFacts::Zone& more, ZoneFacts::Zone& zone)
   zone.faces.add(more.faces);
 }
 
-/// The part of the faces that a zone sees from the front up to which it is the inside of a solid, where no closed body
-/// tells: one of a house's walls may be a neighbor's, or wound the wrong way.
+/// The part of the faces that a zone sees from the front up to which it is the inside of a solid, if no closed body
+/// decides: one of a house's walls may be a neighbor's, or wound the wrong way.
 constexpr double fewFronts = 0.25;
 
-/// Whether a zone that is closed is the inside of a solid. Of one that is kept only few things tell so.
+/// True if a zone that is closed is the inside of a solid. Fewer signs count for a kept zone.
 bool isSolid(const ZoneFacts::Zone& zone, Enclosure enclosure, bool kept)
 {
   const auto& [fronts, backs] = zone.faces;
@@ -262,7 +262,7 @@ bool isUnderGround(const ZoneSummary& zone, const std::vector<char>& isGround)
 ZoneKind kindOf(const ZoneFacts::Zone& zone, SideBits sides, Enclosure enclosure, bool kept)
 {
   constexpr SideBits bottom = SideBits{1} << zMin;
-  const bool isShell = enclosure == Enclosure::solid && !kept; // whether or not it touches sides
+  const bool isShell = enclosure == Enclosure::solid && !kept; // even if it touches sides
   return zone.isBeyond                    ? ZoneKind::beyond
          : isShell                        ? ZoneKind::solid
          : (sides & ~bottom) != 0         ? ZoneKind::open

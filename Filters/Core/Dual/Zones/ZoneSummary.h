@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What there is to say of zones, kept or not.
+/// Gathers facts about zones, kept or not, and summarizes them.
 #pragma once
 
 #include "Dual/Zones/Zones.h"
@@ -12,13 +12,13 @@ enum class ZoneKind : std::uint8_t
 {
   open,   ///< reaches a side of the domain other than the bottom, and is not the inside of a closed body
   room,   ///< closed
-  solid,  ///< the inside of a solid: of a closed body, or what sees backs of surfaces, as far as one can tell
+  solid,  ///< the inside of a solid: of a closed body, or a zone that sees backs of surfaces, as far as known
   narrow, ///< closed, and all of its elements are at its border
   beyond, ///< behind the sides of a domain that does not stand along the grid
-  ground  ///< not kept, reaches the bottom and other sides, and most of its faces are on ground: what is under it
+  ground  ///< not kept, reaches the bottom and other sides, and most of its faces are on ground: it is under it
 };
 
-/// What closed bodies of the model say of a zone.
+/// Position of a zone relative to closed bodies of the model.
 enum class Enclosure : std::uint8_t
 {
   none,  ///< it is in none
@@ -36,7 +36,7 @@ struct ZoneSummary
   Vec3 inside = Vec3::Zero();
   /// Surfaces on its border, those with most faces first.
   std::vector<Index> surfaces;
-  /// That of the octants, shared out among their corners, and so right to about half an octant at the border. Cubic
+  /// Volume of the octants, shared out among their corners, and so right to about half an octant at the border. Cubic
   /// model units.
   double volume = 0.0;
   ZoneKind kind = ZoneKind::open;
@@ -51,10 +51,10 @@ struct GridPart
   Index endLeaf;
 };
 
-/// What is known of zones from a part of the grid.
+/// Facts about zones from a part of the grid.
 struct ZoneFacts
 {
-  /// Faces that a zone sees but looking down, on ground and on sides of the domain.
+  /// Faces that a zone sees, except looking down, on ground and on sides of the domain.
   struct Faces
   {
     std::size_t fronts = 0;
@@ -68,19 +68,19 @@ struct ZoneFacts
   };
   struct Zone
   {
-    /// In octants as large as there are, a place of the zone; the level of the finest octant about it, the greatest
-    /// number where the model is in one of these.
+    /// A place of the zone, in octants as large as possible, and the level of the finest octant around it. The level is
+    /// the greatest number if one of these holds a piece of the model.
     bool hasPlace = false;
     int finest = std::numeric_limits<int>::max();
     Vec3 inside = Vec3::Zero();
-    /// Whether an element has elements on all of its sides.
+    /// True if an element has elements on all of its sides.
     bool isWide = false;
-    /// Whether it sees sides of a turned domain from outside.
+    /// True if it sees sides of a turned domain from outside.
     bool isBeyond = false;
-    /// Whether it sees nothing but backs of one surface, and this surface.
+    /// True if it sees nothing but backs of one surface, and this surface.
     bool seesBacksOfOne = true;
     Index surface = noIndex;
-    /// Whether it stands on ground, or on the bottom of the domain.
+    /// True if it stands on ground, or on the bottom of the domain.
     bool seesGround = false;
     Faces faces;
   };
@@ -104,13 +104,13 @@ ZoneFacts findZoneFacts(const Zones& zones, const Crossings& crossings, const Gr
                         std::size_t surfaceCount, const GridPart& part, const RunContext& context,
                         const std::vector<char>& isGround = {});
 
-/// Of the whole grid.
+/// Returns the part that is the whole grid.
 GridPart wholeOf(const GridPlaces& grid);
 
-/// Adds what is known from the part after those before: the facts of all parts are those of the whole.
+/// Adds the facts from the next part. The facts of all parts together are those of the whole.
 void append(const ZoneFacts& more, ZoneFacts& facts);
 
-/// By zone, that of the octants, shared out among their corners; cubic model units.
+/// Returns per zone the volume of the octants, shared out among their corners, in cubic model units.
 std::vector<double> zoneVolumes(const ZoneFacts& facts, std::size_t zoneCount, const GridFrame& frame);
 
 /// `enclosures` is by zone; nothing is enclosed where it is empty. `isGround` is as of findZoneFacts().
@@ -118,7 +118,7 @@ std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<ch
                                         const std::vector<Enclosure>& enclosures, const std::vector<char>& isGround,
                                         const GridFrame& frame);
 
-/// Of the whole grid.
+/// Same for the whole grid.
 std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
                                         const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context);
 

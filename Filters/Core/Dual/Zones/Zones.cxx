@@ -61,8 +61,8 @@ bool keepReaching(SideBits sides, const std::vector<SideBits>& reached, std::vec
 
 void keepOutside(const Zones& zones, std::vector<char>& kept)
 {
-  // Where no side is open, the domain is a room or a building, and its sides are the walls. Otherwise what reaches only
-  // the lateral sides is under the ground, if anything reaches the top.
+  // The domain is a room or a building if no side is open, and its sides are the walls. Otherwise zones that reach only
+  // the lateral sides are under the ground, if any zone reaches the top.
   const bool anyOpen = keepReaching(~bottom, zones.openSides, kept);
   if (!(anyOpen && keepReaching(top, zones.sides, kept)) && !keepReaching(~bottom, zones.sides, kept))
   {
@@ -96,7 +96,7 @@ std::vector<std::pair<double, Index>> pointsAround(Index leaf, const Vec3& p, co
   return out;
 }
 
-/// Whether no surface is between a place and a grid point near it.
+/// True if no surface is between a place and a grid point near it.
 bool seesPlace(const LatticePoint& from, Index point, const GridPlaces& grid, const SurfaceModel& model)
 {
   EdgeSegment sight;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds the zones of grid points that surfaces separate, and chooses those to keep.
 #pragma once
 
 #include "Dual/Grid/Crossings.h"
@@ -7,14 +8,14 @@
 
 namespace atria {
 
-/// Which zones are kept.
+/// Rule by which zones are kept.
 enum class ZoneRule : std::uint8_t
 {
-  /// Those that reach the top of the domain. If none does, or if surfaces lie on all of its sides but the bottom, those
-  /// that reach any side but the bottom; if none does, the bottom.
+  /// Zones that reach the top of the domain. If none does, or if surfaces lie on all of its sides but the bottom, zones
+  /// that reach any side but the bottom; if none does, zones that reach the bottom.
   outside,
   all,
-  seeds ///< those that hold one of given points
+  seeds ///< zones that hold one of the given points
 };
 
 /// Zones: grid points joined across uncut edges. Zone 0 has the most points, and so on down; equal ones by first point.
@@ -39,7 +40,7 @@ Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunC
 /// that leaf. Throws Error for a seed outside the domain; `kind` names it there, such as "seed".
 Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, const SurfaceModel& model);
 
-/// Whether a rule keeps each zone; `seedZones` are those that hold seeds. It may keep none. Throws Error where seeds
+/// Marks the zones that a rule keeps, which may be none; `seedZones` are those that hold seeds. Throws Error if seeds
 /// are missing.
 std::vector<char> zonesByRule(const Zones& zones, ZoneRule rule, const std::vector<std::int32_t>& seedZones);
 

@@ -72,7 +72,7 @@ ElementBudget::ElementBudget(const SurfaceModel& model, const GridFrame& frame, 
     : model_(model), frame_(frame), options_(options),
       most(std::min(options.memoryLimit / bytesPerElement, mostNumbers))
 {
-  // What MaxElements leaves out is no danger.
+  // MaxElements already keeps the mesh within the memory if it is the lower limit.
   most = options.maxElements > 0 && options.maxElements <= most ? 0 : most;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Whether the mesh of an octree fits the memory there is, asked while the octree grows.
+/// Checks while an octree grows that its mesh fits the memory.
 #pragma once
 
 #include "Octree/Sizing/OctantSample.h"
@@ -14,11 +14,11 @@ namespace atria {
 /// to 2 million elements.
 inline constexpr std::size_t bytesPerElement = 700;
 
-/// As people say it: 23400, or 1.2 million; and bytes as gigabytes.
+/// Returns a count as readers expect it, 23400 or 1.2 million, and bytes as gigabytes.
 std::string inWords(double count);
 std::string inGigabytes(double bytes);
 
-/// Thrown where the elements that sizes ask for do not fit the memory. The text names both and sizes that would do.
+/// Thrown if the requested elements do not fit the memory. The text names both, and sizes that would fit.
 class TooManyElements : public Error
 {
 public:
@@ -27,20 +27,19 @@ public:
   {
   }
 
-  /// At least, roughly.
+  /// Rough lower bound of the number of elements.
   double elements;
   OctantCounts octants;
 };
 
-/// Keeps a reference to all it is given.
+/// Refuses sizes whose mesh does not fit the memory. Keeps references to all arguments.
 class ElementBudget
 {
 public:
   ElementBudget(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options);
 
-  /// Throws TooManyElements where the mesh of refined octants, by level, to which more may be added, is too large
-  /// already. From some number of them on it looks once how many there will be, so that hopeless sizes are refused
-  /// within seconds.
+  /// Throws TooManyElements if the mesh of the octants refined so far, by level, is already too large. Estimates the
+  /// final number once when there are many octants, so that hopeless sizes are refused within seconds.
   void check(std::span<const std::span<const MortonKey>> refined, const RunContext& context);
 
 private:

@@ -27,7 +27,7 @@ template <typename Count> std::size_t sumOver(std::size_t size, const RunContext
   return std::accumulate(parts.begin(), parts.end(), std::size_t{0});
 }
 
-/// The octants about the new points of one refined octant.
+/// Counts the new points of refined octants.
 class PointCounter
 {
 public:
@@ -36,9 +36,8 @@ public:
   {
   }
 
-  /// New points that no refined octant before this one has: its center, and the middles of its faces and edges. Those
-  /// at a lower side are shared with octants there; of the octants about a point the one with the lowest position
-  /// (by z, y, x) counts it.
+  /// New points that no refined octant before this one has: its center, and the middles of its faces and edges. Octants
+  /// around a point share it; the refined one with the lowest position (by z, y, x) counts it.
   std::size_t pointsOf(MortonKey key) const
   {
     const GridCell cell = gridCell(key);
@@ -84,7 +83,7 @@ private:
     return std::binary_search(keys.begin(), keys.end(), mortonKey(other));
   }
 
-  /// Whether of the octants that have the point at `at`, this one is the first that is refined.
+  /// True if this octant is the first refined one of those that have the point at `at`.
   bool isFirst(const GridCell& cell, const std::array<int, 3>& at) const
   {
     for (unsigned subset = 1; subset < 8; ++subset)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How large a mesh will be, from the refined octants alone.
+/// Estimates the size of a mesh from the refined octants alone.
 #pragma once
 
 #include "Octree/Sizing/Sizing.h"
@@ -22,7 +22,7 @@ std::size_t countElements(const RefinedSets& refined, const GridFrame& frame, co
 
 struct MeshEstimate
 {
-  /// By level: leaves that share volume with the domain.
+  /// Leaves per level that share volume with the domain.
   std::vector<std::size_t> octants;
   /// Exact if all zones are meshed; zones that are left out have no elements.
   std::size_t elements = 0;
@@ -36,7 +36,7 @@ struct MeshEstimate
 };
 
 /// Sizes octants and counts what they make, without building octree or mesh. Takes a few per cent of the memory of
-/// meshing. Where sizeOctants() would throw TooManyElements, tells about how many there are.
+/// meshing. Returns approximate numbers (see isTooLarge) if sizeOctants() would throw TooManyElements.
 MeshEstimate estimateElements(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options,
                               const RunContext& context);
 

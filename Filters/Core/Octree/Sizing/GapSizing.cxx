@@ -11,7 +11,7 @@ namespace atria {
 
 namespace {
 
-/// What is met at more than this off its normal is no other side of a gap.
+/// Largest angle between a ray and the normal of a triangle that is the other side of a gap.
 constexpr double facingAngle = std::numbers::pi / 6.0;
 
 /// The part of a triangle in a box (Sutherland and Hodgman 1974).

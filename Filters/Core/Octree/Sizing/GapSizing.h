@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Measures gaps between surfaces, so that enough octants fit across them.
 #pragma once
 
 #include "Octree/Sizing/SizeSources.h"
@@ -8,15 +9,15 @@ namespace atria {
 
 /// Finds surfaces that face each other, from the triangles in an octant.
 ///
-/// From points of a triangle's part in the octant rays go along its normal to both sides. The first triangle that one
-/// meets faces it if their normals, whatever their sense, are within 30 degrees. The way between is a gap: the space
-/// between two walls, and the inside of a wall or pipe as well, as which of them is fluid is not known yet.
+/// Rays start at points of a triangle's part in the octant and go along its normal to both sides. The first triangle
+/// that a ray meets faces it if their normals, whatever their sense, are within 30 degrees. The space between is a gap.
+/// This includes the inside of a wall or pipe, since it is not known yet which side is fluid.
 class GapSizer
 {
 public:
   GapSizer(const SurfaceModel& model, const GridFrame& frame, const ModelLevels& levels, int cellsAcross);
 
-  /// Appends the gaps that ask for a level below the top level; returns the finest level asked for, 0 without gaps.
+  /// Appends the gaps that request a level below the top level; returns the finest level requested, 0 without gaps.
   int find(const LatticeBox& box, std::span<const ModelItem> pieces, std::vector<GapLine>& lines) const;
 
 private:
@@ -28,7 +29,7 @@ private:
   const ModelLevels& levels_;
   int cellsAcross_;
   TriangleTree tree_;
-  /// Widths of gaps that matter, in lattice units: beneath the least, surfaces coincide.
+  /// Widths of gaps that matter, in lattice units. Surfaces closer than the least coincide.
   double least_;
   double most_;
 };

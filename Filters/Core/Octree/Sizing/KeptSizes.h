@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which of the requested sizes a limit on elements leaves.
+/// Sizes that remain of the requested ones under a limit on elements.
 #pragma once
 
 #include "Octree/Sizing/OctantSink.h"
@@ -13,10 +13,10 @@ namespace atria {
 /// Octants are refined for each need down to a level of its own.
 struct KeptSizes
 {
-  /// By need.
+  /// One level per need.
   std::array<int, needCount> levels{};
   int cellsPerLevel = 1;
-  /// Down to this one octants are refined whatever they are for.
+  /// Octants are refined down to this level, whatever their need.
   int startLevel = 0;
 
   bool keeps(int level, OctantNeed need) const
@@ -26,7 +26,7 @@ struct KeptSizes
   bool operator==(const KeptSizes&) const = default;
 };
 
-/// What the frame and the options request.
+/// Returns the sizes that the frame and the options request.
 KeptSizes requestedSizes(const GridFrame& frame, const ModelLevels& levels, const SizingOptions& options);
 
 /// The steps down from the requested sizes. Each gives up one level, or one layer of growth:
@@ -47,11 +47,11 @@ public:
   const KeptSizes& kept() const { return kept_; }
   bool isReduced() const { return kept_ != requested_; }
 
-  /// Takes the next step that leaves out some of the octants there are, whose levels end at `ends` (by need). Whether
-  /// there was one. `withGrowth`: fewer layers of each size leave out some, too.
+  /// Takes the next step that leaves out some of the existing octants, whose levels end at `ends` (one per need).
+  /// Returns false if there is none. `withGrowth`: fewer layers of each size leave out some, too.
   bool giveUpMore(const std::array<int, needCount>& ends, bool withGrowth);
 
-  /// The sizes that are kept instead of others, as text.
+  /// Returns a text that names the sizes kept instead of the requested ones.
   std::string text(const GridFrame& frame, const SizingOptions& options) const;
 
 private:

@@ -49,9 +49,9 @@ public:
 private:
   GridFrame frame_;
   OctantCounts counts_;
-  /// Of the octants of each level, how many are gone on from.
+  /// Fraction of the octants of each level whose children are sampled.
   std::vector<double> shares;
-  /// How many octants of the next level each one stands for.
+  /// Number of octants of the next level that each one stands for.
   double weight = 1.0;
 };
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How many octants sizes ask for, from a part of them.
+/// Estimates from a sample how many octants the sizes request.
 #pragma once
 
 #include "Octree/Sizing/Sizing.h"
 
 namespace atria {
 
-/// About how many octants there are, before they are balanced. Indices are levels.
+/// Approximate numbers of octants before balancing. Indices are levels.
 struct OctantCounts
 {
   std::vector<double> refined;
@@ -15,14 +15,14 @@ struct OctantCounts
 
   /// Leaves in the domain.
   double leavesAt(std::size_t level) const;
-  /// Leaves in the domain of the octree without what is finer than `depth`.
+  /// Leaves in the domain of the octree cut off at level `depth`.
   double leavesDownTo(std::size_t depth) const;
   double leaves() const { return leavesDownTo(refined.size()); }
 };
 
-/// Sizes octants as sizeOctants() does, but where a level has more than some ten thousand, goes on from some thousand
-/// of them, taken at random, and counts their descendants for those of the others too. That is a second of work however
-/// many octants there are; the same input gives the same numbers. What gaps and balancing add is not counted.
+/// Sizes octants as sizeOctants() does, but follows only some thousand, taken at random, of a level with more than some
+/// ten thousand octants. Their descendants stand for those of the others. Takes a second however many octants there
+/// are; the same input gives the same numbers. Octants that gaps and balancing add are not counted.
 OctantCounts sampleOctants(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options,
                            const RunContext& context);
 

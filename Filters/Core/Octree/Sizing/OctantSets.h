@@ -11,14 +11,13 @@ class ElementBudget;
 /// Grows by what sources add, level by level from the root; every source adds an octant only if it has added its
 /// parent.
 ///
-/// Octants that are refined add elements only. So where what has been added makes too many already, the rest would too,
-/// and coarser sizes are taken at once, by the steps of SizeSteps. What is left out does not depend on the order in
-/// which sources add.
+/// Refining only ever adds elements. So if the octants added so far already make too many, coarser sizes are taken at
+/// once, by the steps of SizeSteps. The order in which sources add does not change which octants are left out.
 class OctantSets final : public OctantSink
 {
 public:
-  /// A `maxElements` of 0 in the options is no limit. `budget` is asked whatever is added. Keeps references to options
-  /// and budget.
+  /// A `maxElements` of 0 in the options is no limit. `budget` is checked whatever is added. Keeps references to
+  /// options and budget.
   OctantSets(const GridFrame& frame, const KeptSizes& requested, const SizingOptions& options, ElementBudget& budget);
 
   const GridFrame& frame() const override { return frame_; }
@@ -28,11 +27,11 @@ public:
            const RunContext& context) override;
   bool goesOn(int /*level*/, MortonKey /*key*/) const override { return true; }
 
-  /// Balances what is there, and leaves out more until the balanced sets keep to the limit. Throws Error if not even
-  /// the start level does, or the budget is exceeded. Returns the balanced sets.
+  /// Balances the sets, and leaves out octants until the balanced sets keep to the limit. Throws Error if not even the
+  /// start level does, or the budget is exceeded. Returns the balanced sets.
   RefinedSets balanced(const RunContext& context);
 
-  /// Which sizes were taken instead of those requested, in words; empty if these were.
+  /// Names the sizes taken instead of those requested; empty if all requested sizes were kept.
   std::string warning() const;
 
 private:
@@ -57,7 +56,7 @@ private:
   ElementBudget& budget_;
   std::vector<Level> levels;
   SizeSteps steps_;
-  /// Of the balanced sets; counted only where they are limited.
+  /// Elements of the balanced sets; counted only if they are limited.
   std::size_t elements_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What sources of sizes hand octants to.
+/// Interface through which sources of sizes add octants.
 #pragma once
 
 #include "Octree/Tree/Octree.h"
@@ -7,7 +7,7 @@
 
 namespace atria {
 
-/// What an octant is refined for. A limit on elements gives up the first of these first.
+/// Reason to refine an octant. A limit on elements gives up the first of these first.
 enum class OctantNeed : std::uint8_t
 {
   open,    ///< the size in the open, SizeMax
@@ -17,27 +17,27 @@ enum class OctantNeed : std::uint8_t
 };
 inline constexpr std::size_t needCount = 4;
 
-/// What sources of sizes add octants to, level by level from the root. A source adds an octant only if it has added its
-/// parent, and the sink goes on from that.
+/// Receives octants from sources of sizes, level by level from the root. A source adds an octant only if it has added
+/// its parent, and the sink goes on from that.
 class OctantSink
 {
 public:
   virtual ~OctantSink() = default;
 
   virtual const GridFrame& frame() const = 0;
-  /// Whether octants of `level` may still be refined for `need`.
+  /// True if octants of `level` may still be refined for `need`.
   virtual bool takes(int level, OctantNeed need) const = 0;
-  /// Whether a source must say what it refines octants for.
+  /// True if a source must say what it refines octants for.
   virtual bool isLimited() const = 0;
-  /// Octants of `level` to refine: `keys`, sorted, and what each is refined for. A source that need not say it may say
-  /// anything.
+  /// Adds octants of `level` to refine: `keys`, sorted, and the need of each. The needs may be anything if the sink is
+  /// not limited.
   virtual void add(int level, const std::vector<MortonKey>& keys, const std::vector<OctantNeed>& needs,
                    const RunContext& context) = 0;
-  /// Whether a source is to look at the children of an octant it has added, if its level takes what it is refined for.
+  /// True if a source is to visit the children of an octant it has added, provided that the level takes its need.
   virtual bool goesOn(int level, MortonKey key) const = 0;
 };
 
-/// Whether octants of `level` may still be refined for anything.
+/// True if octants of `level` may still be refined for any need.
 inline bool takesAny(const OctantSink& sink, int level)
 {
   return sink.takes(level, OctantNeed::open) || sink.takes(level, OctantNeed::region) ||

@@ -16,7 +16,7 @@ namespace {
 struct LeafLists
 {
   std::vector<Index> leaves;
-  std::vector<std::size_t> ends; ///< of each leaf's items
+  std::vector<std::size_t> ends; ///< end of each leaf's items
   std::vector<FeatureType> types;
   std::vector<ModelItem> items;
 };
@@ -63,7 +63,7 @@ private:
   const Octree& octree;
   const SurfaceModel& model;
   LeafLists& out;
-  /// By level.
+  /// One divider per level.
   std::vector<PieceDivider> dividers;
 };
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Builds octrees whose leaves know their pieces of the model.
 #pragma once
 
 #include "Octree/Sizing/Sizing.h"
 
 namespace atria {
 
-/// Builds the balanced octree of a model: in the domain every octant goes down to the top level, one with a surface
-/// to the mid level, one with a feature or with surfaces that do not meet inside it to the finest. Leaves know their
-/// pieces of the model.
-/// `sizing` asks for more; see sizeOctants.
+/// Builds the balanced octree of a model: in the domain every octant goes down to the top level, one with a surface to
+/// the mid level, one with a feature or with surfaces that do not meet inside it to the finest. Leaves know their
+/// pieces of the model. `sizing` adds further rules; see sizeOctants.
 Octree buildOctree(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& sizing,
                    const RunContext& context);
 

@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// How far something that asks for a size fills an octant.
+/// How far an ask, which requests a size, fills an octant.
 enum class Reach : std::uint8_t
 {
   none,
@@ -20,13 +20,13 @@ enum class Reach : std::uint8_t
   all
 };
 
-/// Octants of one level, sorted by key, each with the indices of what asks for a size in it.
+/// Octants of one level, sorted by key, each with the indices of the asks that reach it.
 struct AskLists
 {
   std::vector<MortonKey> keys;
   std::vector<std::size_t> offsets{0};
   std::vector<Index> asks;
-  /// What each octant is refined for.
+  /// Need of each octant.
   std::vector<OctantNeed> needs;
 
   std::span<const Index> of(std::size_t i) const
@@ -94,8 +94,8 @@ public:
   }
 
 private:
-  /// Adds an octant if an ask that reaches it goes below its level. What fills it stands for all that ask for no more.
-  /// `parentNeed` is what its parent is refined for.
+  /// Adds an octant if an ask that reaches it goes below its level. An ask that fills the octant stands for all asks of
+  /// no finer level. `parentNeed` is what its parent is refined for.
   void appendOctant(AskLists& out, MortonKey key, int level, std::span<const Index> asks, OctantNeed parentNeed) const
   {
     const LatticeBox box = domainBoxOf(sets_.frame(), level, key);
@@ -189,7 +189,7 @@ Reach reachOf(const LatticeBox& region, const LatticeBox& octant)
   return reach;
 }
 
-/// A triangle about which octants are refined.
+/// A triangle around which octants are refined.
 struct NearTriangle
 {
   Index triangle;

@@ -180,7 +180,7 @@ ModelLevels modelLevels(const SurfaceModel& model, const GridFrame& frame, const
     const int feature = levels.featureOfSurface[s] == unset ? frame.featureLevel : levels.featureOfSurface[s];
     levels.featureOfSurface[s] = std::max(feature, levels.ofSurface[s]);
   }
-  // Sides of a turned domain, whose ids follow the surfaces', ask for nothing.
+  // Sides of a turned domain, whose ids follow the surfaces', request nothing.
   levels.ofSurface.resize(model.names.size() + sideNumbers, 0);
   levels.featureOfSurface.resize(model.names.size() + sideNumbers, 0);
   levels.ofFeatureEdge = edgeLevels(model, levels.featureOfSurface);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// From sizes and names, as users give them, to levels.
+/// Turns sizes and names, as users give them, into levels.
 #pragma once
 
 #include "Octree/Sizing/Sizing.h"
@@ -8,7 +8,7 @@
 
 namespace atria {
 
-/// For each name whether it matches. Throws Error where none does.
+/// Marks the names that match the pattern. Throws Error if none does.
 std::vector<char> matchingNames(const std::string& pattern, const std::vector<std::string>& names);
 
 /// Rules as text, the pattern in double quotes where it holds blanks. Throw Error that quotes the text.
@@ -27,8 +27,8 @@ double narrowestSide(const PlacedPrism& domain);
 /// The level down to which each piece of the model refines the octants that hold it.
 struct ModelLevels
 {
-  std::vector<int> ofSurface;        ///< by surface: octants it passes through
-  std::vector<int> featureOfSurface; ///< by surface: octants where it comes close to others
+  std::vector<int> ofSurface;        ///< one per surface, for octants it passes through
+  std::vector<int> featureOfSurface; ///< one per surface, for octants where it comes close to others
   std::vector<int> ofFeatureEdge;
   std::vector<int> ofCorner;
 
@@ -49,11 +49,11 @@ struct ModelLevels
 /// A curve or corner of several surfaces has the finest of their levels. O(n log n). Throws Error for bad rules.
 ModelLevels modelLevels(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options);
 
-/// Which surfaces rules of sizes name. Throws Error for bad rules.
+/// Marks the surfaces that sizing rules name. Throws Error for bad rules.
 std::vector<char> surfacesOfRules(const std::vector<std::string>& names, const SizingOptions& options);
 
-/// Where rules ask for octants finer than at features elsewhere: boxes, and bounds of named surfaces, as far as
-/// distances reach. Throws Error for bad rules.
+/// Returns the places for which rules request octants finer than at features elsewhere: boxes, and bounds of named
+/// surfaces, as far as distances reach. Throws Error for bad rules.
 std::vector<FinerPlace> finerPlaces(const TriangleSurface& surface, const GridFrame& frame,
                                     const SizingOptions& options);
 

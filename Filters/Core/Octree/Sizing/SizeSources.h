@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What adds octants to refine; each walks down from the root by itself.
+/// Sources of octants to refine. Each walks down from the root by itself.
 #pragma once
 
 #include "Octree/Sizing/OctantSink.h"
@@ -8,30 +8,30 @@
 
 namespace atria {
 
-/// Across the space between two surfaces that face each other: a box that is moved along a line, in lattice units.
+/// Gap between two surfaces that face each other: a box that is moved along a line, in lattice units.
 struct GapLine
 {
   Vec3 from;
   Vec3 to;
-  /// Half the lengths of the box: that of a triangle's part in an octant.
+  /// Half the lengths of the box around a triangle's part in an octant.
   Vec3 half;
   /// Level of octants of which enough fit across.
   int level;
 };
 
-/// All octants down to the top level; below it those with pieces of the model, for sizes at surfaces and features, for
-/// curvature and for gaps. Returns the gaps found, sorted by the octants they were found in.
+/// Adds all octants down to the top level; below it those with pieces of the model, for sizes at surfaces and features,
+/// for curvature and for gaps. Returns the gaps found, sorted by the octants they were found in.
 std::vector<GapLine> sizeForModel(OctantSink& sets, const SurfaceModel& model, const ModelLevels& levels,
                                   const SizingOptions& options, const RunContext& context);
 
-/// Octants that share volume with refinement boxes.
+/// Adds octants that share volume with refinement boxes.
 void sizeForBoxes(OctantSink& sets, const SurfaceModel& model, const SizingOptions& options, const RunContext& context);
 
-/// Octants near surfaces.
+/// Adds octants near surfaces.
 void sizeForDistances(OctantSink& sets, const SurfaceModel& model, const SizingOptions& options,
                       const RunContext& context);
 
-/// Octants along gap lines.
+/// Adds octants along gap lines.
 void sizeForGaps(OctantSink& sets, const std::vector<GapLine>& lines, const RunContext& context);
 
 } // namespace atria

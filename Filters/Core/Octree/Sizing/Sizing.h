@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which octants are refined, and why.
+/// Sizing rules, and the octants that they refine.
 #pragma once
 
 #include "Octree/Tree/Octree.h"
@@ -12,8 +12,7 @@
 namespace atria {
 
 /// Sizes at the surfaces whose name matches `pattern`: `*` stands for any text, `?` for any one character. They take
-/// the place of SizeMid and SizeMin there, and may be coarser. Where several rules match a surface the finest size
-/// holds.
+/// the place of SizeMid and SizeMin there, and may be coarser. The finest size holds if several rules match a surface.
 struct SurfaceSize
 {
   std::string pattern;
@@ -39,8 +38,8 @@ struct DistanceSize
   double size = 1.0;
 };
 
-/// What is asked of octants beyond the three sizes of GridOptions. Lengths in model units. Octants have a size of
-/// SizeMin * 2^j: the largest of these that is not above the size asked for is taken.
+/// Sizing rules beyond the three sizes of GridOptions. Lengths are in model units. Octants have a size of SizeMin *
+/// 2^j: the largest of these that is not above the requested size is taken.
 struct SizingOptions
 {
   static constexpr int maximumCellsPerLevel = 8;
@@ -50,29 +49,29 @@ struct SizingOptions
   std::vector<RefinementBox> boxes;
   std::vector<DistanceSize> distanceSizes;
   /// Degrees, at most 90, by which the normals of one smooth piece may differ in an octant before it is refined, down
-  /// to the size of its surface's features at most; 0 asks for nothing.
+  /// to the size of its surface's features at most; 0 turns this off.
   double curvatureAngle = 0.0;
   /// Octants across the space between surfaces that face each other, down to the size of their features at most; 0
-  /// asks for nothing.
+  /// turns this off.
   int cellsAcrossGap = 0;
   /// Layers of octants of each size between the next finer and the next coarser ones; 1 is the 2:1 balance alone.
   int cellsPerLevel = 1;
-  /// Where the mesh would have more elements, coarser sizes are taken, first of all in the open and last at features
-  /// (see SizeSteps in KeptSizes.h); 0 is no limit.
+  /// Upper limit of the number of elements; 0 is no limit. Coarser sizes are taken to keep to it, first of all in the
+  /// open and last at features (see SizeSteps in KeptSizes.h).
   std::size_t maxElements = 0;
   /// Bytes of memory that meshing may take; 0 is no limit.
   std::size_t memoryLimit = 0;
 };
 
-/// The smallest size any rule asks for; infinity without rules.
+/// The smallest size any rule requests; infinity without rules.
 double finestSizeOf(const SizingOptions& options);
 
-/// What sizing gives.
+/// Result of sizeOctants.
 struct SizedOctants
 {
   /// Balanced.
   RefinedSets refined;
-  /// Which sizes were taken instead of those requested to keep to `maxElements`; empty if these were.
+  /// Names the sizes taken to keep to `maxElements`; empty if all requested sizes were kept.
   std::string warning;
 };
 

@@ -11,7 +11,7 @@ namespace atria {
 
 namespace {
 
-/// What is decided on one octant.
+/// Result of the rules for one octant.
 struct Decision
 {
   bool refine = false;
@@ -19,7 +19,7 @@ struct Decision
   std::vector<GapLine> gaps;
 };
 
-/// Whether two of the unit normals differ by more than the angle, whatever their sense.
+/// True if two of the unit normals differ by more than the angle, whatever their sense.
 bool differ(std::span<const Vec3> normals, double angle)
 {
   const double minimumCosine = std::cos(angle);
@@ -66,7 +66,7 @@ public:
     }
   }
 
-  /// `limited`: whether it must be told what an octant is refined for, and gaps noted even where octants get finer.
+  /// `limited`: true if the need of an octant must be decided, and gaps noted even where octants get finer.
   Decision decide(MortonKey key, int level, std::span<const ModelItem> pieces, bool limited) const
   {
     Decision decision;
@@ -107,7 +107,7 @@ private:
     });
   }
 
-  /// A curve, a corner or several surfaces ask for finer octants.
+  /// A curve, a corner or several surfaces request finer octants.
   bool hasFeature(const LatticeBox& box, std::span<const ModelItem> pieces, int level) const
   {
     int finest = 0;
@@ -133,7 +133,7 @@ private:
     {
       return false;
     }
-    std::vector<std::pair<Index, Index>> triangles; // by chart
+    std::vector<std::pair<Index, Index>> triangles; // pairs of chart and triangle
     for (const ModelItem piece : pieces)
     {
       if (piece.kind == ModelItem::triangle && level < levels_.featureOfSurface[model_.surfaceIds[piece.index]])

@@ -85,10 +85,10 @@ public:
   }
 
 private:
-  /// One layer: of the 27 octants about a parent, those that touch one of these children.
+  /// Adds one layer: those of the 27 octants around a parent that touch one of these children.
   void appendFor(MortonKey parent, unsigned children, std::size_t& hint, std::vector<MortonKey>& out) const
   {
-    // Children by axis and offset of the octants about their parent: those on that side, or all.
+    // Children by axis and offset of the octants around their parent: those on that side, or all.
     constexpr std::array<std::array<unsigned, 3>, 3> touching{
         {{0x55, 0xff, 0xaa}, {0x33, 0xff, 0xcc}, {0x0f, 0xff, 0xf0}}};
     const GridCell cell = gridCell(parent);
@@ -146,7 +146,7 @@ private:
   std::int64_t end;
 };
 
-/// Where ranges of keys begin, each of about `grain`, that part no family.
+/// Returns where ranges of about `grain` keys begin, and the end of the last one. No range splits a family.
 std::vector<std::size_t> rangesOfFamilies(const std::vector<MortonKey>& keys, std::size_t grain)
 {
   std::vector<std::size_t> begins{0};

@@ -25,8 +25,8 @@ bool touchesPiece(const LatticeBox& box, ModelItem piece, const SurfaceModel& mo
   }
 }
 
-/// Of the boxes of an octant's children the one within which a triangle lies, off its faces, as most small ones do; 8
-/// where there is none.
+/// Returns which box of an octant's children holds the triangle off its faces, as is the case for most small ones; 8 if
+/// none does.
 unsigned childThatHolds(const std::array<LatticeBox, 8>& boxes, const LatticePoint& a, const LatticePoint& b,
                         const LatticePoint& c)
 {
@@ -81,7 +81,7 @@ struct OuterEdge
   friend auto operator<=>(const OuterEdge&, const OuterEdge&) = default;
 };
 
-/// For points, the first triangle that was seen at each.
+/// First triangle that was seen at each point.
 class FirstAtPoints
 {
 public:
@@ -108,7 +108,7 @@ private:
   std::vector<std::pair<Index, Index>> slots;
 };
 
-/// Whether two triangles share an edge or a point within the box.
+/// True if two triangles share an edge or a point within the box.
 bool meetIn(const LatticeBox& box, const std::array<Index, 3>& first, const std::array<Index, 3>& second,
             const SurfaceModel& model)
 {
@@ -138,10 +138,10 @@ bool meetIn(const LatticeBox& box, const std::array<Index, 3>& first, const std:
   return false;
 }
 
-/// Of `triangles`, which change their order. For few of them, as it compares pairs.
+/// True if `triangles` form several surfaces. Changes their order, and compares pairs, so it is for few of them.
 bool areSeveral(const LatticeBox& box, std::span<Index> triangles, const SurfaceModel& model)
 {
-  // The first so many are connected with the first.
+  // Triangles before `reached` are connected with the first.
   auto reached = triangles.begin() + 1;
   for (auto at = triangles.begin(); at != reached && reached != triangles.end(); ++at)
   {
@@ -151,7 +151,8 @@ bool areSeveral(const LatticeBox& box, std::span<Index> triangles, const Surface
   return reached != triangles.end();
 }
 
-/// The same by what is at points in the box and by sorted edges that may pass it without a point in it, which are few.
+/// Same for many triangles: connects them at points in the box, and at the few edges that may pass it without a point
+/// in it, which it sorts.
 bool areSeveralOfMany(const LatticeBox& box, std::span<const Index> triangles, const SurfaceModel& model)
 {
   UnionFind sets(triangles.size());

@@ -63,7 +63,7 @@ private:
 /// The whole model for the root, as far as the domain sees it.
 GeometryLists rootLists(const SurfaceModel& model, const GridFrame& frame);
 
-/// The same, without the sides of a turned domain and what meets on them: the sides of a domain ask for no small
+/// The same, without the sides of a turned domain and what meets on them: the sides of a domain request no small
 /// octants.
 GeometryLists sizingLists(const SurfaceModel& model, const GridFrame& frame);
 
@@ -76,21 +76,21 @@ GeometryLists childLists(const GeometryLists& parents, int level, const std::vec
 std::vector<Index> leavesTouching(const Octree& octree, const LatticeBox& box);
 std::vector<Index> trianglesNear(const Octree& octree, const LatticeBox& box);
 
-/// Whether the triangles among `pieces` form more than one surface inside the box: sets connected through edges and
+/// True if the triangles among `pieces` form more than one surface inside the box: sets connected through edges and
 /// points that lie in it.
 bool severalSurfaces(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model);
 
-/// Whether a leaf holds a piece of a side of a turned domain.
+/// True if a leaf holds a piece of a side of a turned domain.
 bool hasTurnedSide(const Octree& octree, Index leaf, const SurfaceModel& model);
 
 /// A leaf of more charts than this is a cluster. Three planes that cross, as a slab and two walls do, are twelve charts
 /// once they are cut, and a leaf's eight corners tell apart all eight regions between them.
 inline constexpr std::size_t mostChartsOfLeaf = 12;
 
-/// Whether the triangles among `pieces` are of more charts than mostChartsOfLeaf.
+/// True if the triangles among `pieces` are of more charts than mostChartsOfLeaf.
 bool isCluster(std::span<const ModelItem> pieces, const SurfaceModel& model);
 
-/// The dearest feature among `pieces`.
+/// Returns the type of an octant with these pieces: `cluster` goes first, then `corner`, `curve`, `several`, `surface`.
 FeatureType featureTypeOf(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model);
 
 } // namespace atria

@@ -41,7 +41,8 @@ constexpr int directionTo(unsigned child, int direction, unsigned other)
   return found;
 }
 
-/// By direction and bits of an octant's children, bits of those of the octant there that touch one of them.
+/// Indexed by direction and by bits of an octant's children. An entry has the bits of the children of the octant in
+/// that direction that touch one of these.
 using TouchTable = std::array<std::array<std::uint8_t, 256>, directions>;
 
 TouchTable makeTouchTable()
@@ -62,7 +63,8 @@ TouchTable makeTouchTable()
 
 const TouchTable touching = makeTouchTable();
 
-/// Where the octant beside a child is: in an octant beside the parent, and which child of it.
+/// Position of the octant beside a child: direction from the parent to the octant that holds it, and which child of
+/// that it is.
 struct Beside
 {
   int direction;
@@ -155,13 +157,13 @@ private:
   }
 
   const LeafRows& rows_;
-  std::vector<PieceDivider> dividers_; ///< by level
+  std::vector<PieceDivider> dividers_; ///< one per level
   bool sides_;
   LeafMasks marks_;
 };
 
-/// Octants about others, found from the root down: what is beside a child is a child of what is beside its parent. What
-/// is about the last one of each level is kept, as octants that come one after the other are near each other.
+/// Finds the octants around others from the root down: neighbors of a child are children of its parent's neighbors.
+/// Keeps the neighbors of the last octant of each level, as octants that come one after the other are near each other.
 class LeafRows::NeighborFinder
 {
 public:
@@ -204,7 +206,7 @@ private:
   }
 
   const LeafRows& rows_;
-  std::vector<Known> last_; ///< by level
+  std::vector<Known> last_; ///< one per level
 };
 
 LeafRows::LeafRows(const RefinedSets& refined, const GridFrame& frame) : refined_(refined), frame_(frame)

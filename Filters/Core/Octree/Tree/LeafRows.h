@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Leaves about others, found without numbers of leaves or grid points.
+/// Finds leaves around others, without numbers of leaves or grid points.
 #pragma once
 
 #include "Octree/Tree/OctreeBlocks.h"
@@ -8,7 +8,8 @@
 
 namespace atria {
 
-/// Leaves by refined octants, which are in the order of levels and keys: bits of those of its children.
+/// A set of leaves. One entry per refined octant, in the order of levels and keys, with the bits of its children in the
+/// set.
 using LeafMasks = std::vector<std::uint8_t>;
 
 /// Rows of the leaves of a balanced octree whose root is refined. 10 bytes a refined octant, and one for each mask.
@@ -21,40 +22,41 @@ public:
 
   /// The leaves that share volume with the domain.
   const LeafMasks& inDomain() const { return inDomain_; }
-  /// Those of a range, also outside of the domain.
+  /// Leaves of a range, also outside of the domain.
   LeafMasks in(const MortonRange& range) const;
-  /// Those with such keys in the finest grid.
+  /// Leaves with these keys in the finest grid.
   LeafMasks of(const std::vector<MortonKey>& leaves) const;
-  /// Those with pieces of the model.
+  /// Leaves with pieces of the model.
   LeafMasks withModel(const SurfaceModel& model, const RunContext& context) const
   {
     return marked(model, false, context);
   }
-  /// Those with pieces of the model or sides of the domain.
+  /// Leaves with pieces of the model or sides of the domain.
   LeafMasks withSurfaces(const SurfaceModel& model, const RunContext& context) const
   {
     return marked(model, true, context);
   }
-  /// How many there are from each of these keys of the finest grid to the next one; the last is the end.
+  /// Number of `leaves` from each of these keys of the finest grid to the next one; the last key is the end.
   std::vector<std::size_t> countBetween(const std::vector<MortonKey>& begins, const LeafMasks& leaves) const;
-  /// Adds so many rows of leaves that touch what is there, of those `within`.
+  /// Adds `rows` rows of leaves that touch those in the set; only leaves of `within` are added.
   LeafMasks grow(LeafMasks leaves, int rows, const LeafMasks& within) const;
-  /// Of an octree that has these leaves; it is to be balanced. Octants above the start level are all refined.
+  /// Returns the sets of an octree that has these leaves; it is not balanced yet. Octants above the start level are all
+  /// refined.
   RefinedSets setsOf(const LeafMasks& leaves) const;
 
 private:
   class SurfaceDescent;
   class NeighborFinder;
 
-  /// A refined octant by its number; a leaf by that of its parent and which child it is, with a bit; or noIndex where
-  /// the root ends.
+  /// A refined octant by its number; a leaf by that of its parent and which child it is, with a bit; noIndex outside of
+  /// the root.
   using Node = Index;
-  /// The octants of one level about one, itself in the middle, or leaves that hold them.
+  /// The octants of one level around one, itself in the middle, or leaves that hold them.
   using Neighbors = std::array<Node, 27>;
   struct Octant
   {
     Index place;        ///< eight times its parent, and which child it is
-    Index firstRefined; ///< of its children, which come one after the other
+    Index firstRefined; ///< first of its refined children, which come one after the other
   };
 
   void link();
@@ -68,7 +70,7 @@ private:
   const RefinedSets& refined_;
   const GridFrame& frame_;
   std::vector<Octant> octants_;
-  std::vector<Index> levels_; ///< the first octant of each
+  std::vector<Index> levels_; ///< first octant of each level
   LeafMasks all_;
   LeafMasks inDomain_;
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Bundles the octree, the model and the run for the stages after the octree.
 #pragma once
 
 #include "Octree/Tree/Octree.h"
@@ -8,8 +9,8 @@
 
 namespace atria {
 
-/// What every stage after the octree looks at: the octree, the model its leaves hold pieces of, a tree to search the
-/// model, and the surroundings of the run.
+/// Common input of the stages after the octree: the octree, the model whose pieces its leaves hold, a tree to search
+/// the model, and the context of the run.
 struct MeshingContext : RunContext
 {
   const Octree& octree;

@@ -25,7 +25,7 @@ struct OctreeSets
   RefinedSets refined;
 };
 
-/// What a leaf holds of the model.
+/// Kind of the model's pieces in a leaf.
 enum class FeatureType : std::uint8_t
 {
   none,
@@ -70,7 +70,7 @@ public:
   int level(Index leaf) const { return levels_[leaf]; }
   /// Morton key in the grid of the leaf's own level.
   MortonKey key(Index leaf) const { return keys_[leaf] >> (3 * (frame_.depth - levels_[leaf])); }
-  /// That of its first cell in the finest grid.
+  /// Morton key of its first cell in the finest grid.
   MortonKey finestKey(Index leaf) const { return keys_[leaf]; }
   int maximumLevel() const;
   Node root() const { return root_; }
@@ -90,7 +90,7 @@ public:
   /// Corner by the bits of `which`: x 1, y 2, z 4.
   LatticePoint cornerOf(Index leaf, unsigned which) const;
   Vec3 center(Index leaf) const;
-  /// Whether the leaf and the domain share volume.
+  /// True if the leaf and the domain share volume.
   bool inDomain(Index leaf) const;
 
   /// The pieces of the model in a leaf (touching it counts), by kind and then by number.

@@ -55,7 +55,7 @@ private:
       out.leaves.push_back(leaves);
       return;
     }
-    bool isLastWhole = false; // whether the last child is one block
+    bool isLastWhole = false; // true if the last child is one block
     for (MortonKey child = key << 3; child < (key + 1) << 3; ++child)
     {
       const std::size_t before = out.count();
@@ -74,7 +74,7 @@ private:
   const RefinedSets& refined;
   const GridFrame& frame;
   std::size_t most;
-  std::vector<MortonKey> places; ///< of refined octants, in order
+  std::vector<MortonKey> places; ///< keys of the refined octants in the finest grid, in order
   OctreeBlocks out;
 };
 
@@ -92,7 +92,7 @@ std::vector<Index> divideBlocks(const std::vector<std::size_t>& costs, std::size
   std::size_t before = 0;
   for (Index block = 0; block < costs.size(); ++block)
   {
-    // A block is of the rank in whose share its middle lies.
+    // A block belongs to the rank in whose share its middle lies.
     while (firsts.size() < ranks && (2 * before + costs[block]) * ranks > 2 * all * firsts.size())
     {
       firsts.push_back(block);

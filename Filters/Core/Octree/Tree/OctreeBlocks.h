@@ -18,7 +18,7 @@ struct MortonRange
 struct OctreeBlocks
 {
   std::vector<MortonKey> begins;
-  /// Roughly how many leaves each has.
+  /// Approximate number of leaves per block.
   std::vector<std::size_t> leaves;
 
   std::size_t count() const { return leaves.size(); }
@@ -28,12 +28,12 @@ struct OctreeBlocks
   }
 };
 
-/// Octants with at most `most` leaves; neighbors of one parent are taken together while they have no more. They depend
-/// on the sets alone.
+/// Returns octants with at most `most` leaves as blocks. Neighboring children of one parent are merged while they have
+/// no more. The blocks depend on the sets alone.
 OctreeBlocks findBlocks(const RefinedSets& refined, const GridFrame& frame, std::size_t most);
 
-/// The first block of each rank, and after the last one their number: ranks have blocks in a row, that cost as much as
-/// this allows, and one at least where there are so many.
+/// Returns the first block of each rank, followed by the number of blocks. Ranks get consecutive blocks of costs as
+/// equal as this allows, and at least one if there are that many.
 std::vector<Index> divideBlocks(const std::vector<std::size_t>& costs, std::size_t ranks);
 
 } // namespace atria

@@ -12,7 +12,8 @@ namespace atria {
 
 namespace {
 
-/// Of a hexahedron, and one with neighbors that are larger; what memory is reserved for and not used is not taken.
+/// Faces per cell to reserve memory for: those of a hexahedron, and some more for larger neighbors. Reserved memory
+/// that is not used takes no space.
 constexpr std::size_t facesOfCell = 4;
 
 bool areSound(const CellArrays& cells)
@@ -47,7 +48,7 @@ std::vector<std::int64_t> pointsOf(const AskedFaces& asked)
   return points;
 }
 
-/// Of cells that are not own ones.
+/// Adds the points of cells that are not own ones.
 void addPointsOfOthers(const CellArrays& cells, const CountedPart& part, std::vector<std::int64_t>& points)
 {
   for (std::size_t c = 0; c < cells.types.size(); ++c)
@@ -59,7 +60,7 @@ void addPointsOfOthers(const CellArrays& cells, const CountedPart& part, std::ve
   }
 }
 
-/// Measures the cells of one window after the other and collects what is told of them.
+/// Measures one window after the other and collects the metrics of its cells and faces.
 class WindowMetrics
 {
 public:
@@ -72,7 +73,7 @@ public:
     out.valid.reserve(others);
   }
 
-  /// False where a face that was asked for is not there, or is there twice.
+  /// Adds the metrics of a window. Returns false if a requested face is missing or exists twice.
   bool add(const CellWindow& window, const RunContext& context)
   {
     const FaceMesh& mesh = window.mesh();
@@ -112,7 +113,7 @@ public:
     return true;
   }
 
-  /// Whether those that were counted are as many as the faces of patches that are to be counted.
+  /// True if the number of counted boundary faces equals the number of patch faces of own cells.
   bool patchesAreTheBoundary(const AskedFaces& asked) const
   {
     return boundaryFaces == static_cast<std::size_t>(std::ranges::count_if(
@@ -130,7 +131,7 @@ private:
            (f < mesh.internalFaceCount() ? part->countsFace(owner, window.cells()[mesh.neighbor[f]]) : isOwn(owner));
   }
 
-  /// Whether a face is not among those that are counted as ideal.
+  /// True if the face does not count as ideal.
   bool isMeasured(const CellWindow& window, std::size_t f) const
   {
     const FaceMesh& mesh = window.mesh();
@@ -146,7 +147,7 @@ private:
   std::size_t boundaryFaces = 0;
 };
 
-/// False where something is wrong.
+/// Measures all windows. Returns false if faces are wrong.
 bool measure(CellWindows& windows, const AskedFaces& asked, const RegularBoxes& boxes, const CountedPart* part,
              QualityMetrics& out, const RunContext& context)
 {
@@ -198,7 +199,7 @@ std::optional<QualityByBoxes> computeQualityByBoxes(std::span<const Vec3> points
   }
   catch (const Error&)
   {
-    return std::nullopt; // it names other cells than the whole mesh has
+    return std::nullopt; // its cell numbers are not those of the whole mesh
   }
   out.others = std::move(boxes.measured);
   std::erase_if(out.others, [&](Index c) { return boxes.isRegular[c] != 0; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Quality of meshes most of which are regular boxes.
+/// Measures the quality of meshes that are mostly regular boxes.
 #pragma once
 
 #include "Quality/Checks/Metrics.h"
@@ -9,32 +9,33 @@
 
 namespace atria {
 
-/// Cells that are measured at once: with those about them, some 80 MB.
+/// Number of cells that are measured at once: some 80 MB with the cells around them.
 inline constexpr std::size_t measuredAtOnce = 131072;
 
-/// Faces that a mesh is to have.
+/// Faces that a mesh must have.
 struct AskedFaces
 {
-  /// Those of patches, which stay on the boundary.
+  /// Faces of patches, which stay on the boundary.
   std::span<const BoundaryFaceKey> patches;
-  /// Whether they are to be all of it.
+  /// True if they must be the whole boundary.
   bool patchesAreTheBoundary = false;
-  /// Those of face zones, each between its cell and that of `neighbors`.
+  /// Faces of face zones, each between its cell and its entry of `neighbors`.
   std::span<const BoundaryFaceKey> zones;
   std::span<const Index> neighbors;
 };
 
-/// What counts of a mesh that is a piece of a larger one, with cells of other pieces about its own.
+/// Cells and faces that count in a mesh that is a piece of a larger one, with cells of other pieces around its own.
 struct CountedPart
 {
-  /// By cell. The metrics of others are not those in the whole.
+  /// One entry per cell. Metrics of other cells differ from those in the whole mesh.
   std::span<const char> isOwn;
-  /// Whether a face of two cells is counted here, and not in another piece; one on the boundary is where its cell is.
+  /// Returns true if the face between two cells is counted here, and not in another piece. Faces on the boundary count
+  /// where their cell does.
   std::function<bool(Index, Index)> countsFace;
 };
 
-/// The metrics that computeQuality() finds in a mesh, up to rounding, without all of its faces: regular boxes
-/// (RegularBoxes.h) are ideal, and only what is about the others is measured.
+/// Metrics of a mesh, equal to those of computeQuality() up to rounding, but found without all of its faces: regular
+/// boxes (RegularBoxes.h) are ideal, and only the other cells and their surroundings are measured.
 struct QualityByBoxes
 {
   /// As in RegularBoxes.
@@ -44,17 +45,18 @@ struct QualityByBoxes
   std::size_t regularCount = 0;
   /// Internal faces whose metrics are 0.
   std::size_t idealFaces = 0;
-  /// The cells that are not regular, in rising order, and their metrics; those of faces are of all but ideal ones, and
-  /// of a part of those alone that count.
+  /// The cells that are not regular, in rising order, and their metrics. Face metrics cover all faces that are not
+  /// ideal; in a part, only those that count.
   std::vector<Index> others;
   QualityMetrics metrics;
 };
 
-/// The others are measured in windows of `length` cells and up to twice as many (CellWindow.h), so that no more of
-/// their faces and geometry is there at once. Nothing where that saves nothing, as most cells are to be measured and
-/// there are no two windows of them, and where something is wrong with cells or faces: makeFaceMesh() of the whole mesh
-/// tells it. Of a part it is told in any case: no box has points of cells that are not its own, and faces of patches
-/// are to be the boundary of own ones. The same bits for any number of threads. Throws Aborted when asked to.
+/// Measures cells that are not regular boxes in windows of `length` to twice as many cells (CellWindow.h), which limits
+/// the memory for faces and geometry. Returns nullopt if this saves nothing, because most cells must be measured and do
+/// not fill two windows; a part is measured in any case. Also returns nullopt if cells or faces are wrong;
+/// makeFaceMesh() of the whole mesh reports the error. In a part, points of cells that are not its own make cells
+/// irregular, and faces of patches must be the boundary of own cells. The result has the same bits for any number of
+/// threads. Throws Aborted when asked to.
 std::optional<QualityByBoxes> computeQualityByBoxes(std::span<const Vec3> points, const CellArrays& cells,
                                                     const AskedFaces& asked, const RunContext& context,
                                                     std::size_t length = measuredAtOnce,

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
-/// Calls use(point) for the points of a cell; Error where there is no such point.
+/// Calls use(point) for the points of a cell. Throws Error if a point does not exist.
 template <typename F> void forPoints(const CellArrays& cells, std::size_t cell, std::size_t pointCount, F&& use)
 {
   for (std::int64_t i = cells.offsets[cell]; i < cells.offsets[cell + 1]; ++i)
@@ -47,7 +47,7 @@ Buckets byCell(std::span<const BoundaryFaceKey> faces, std::size_t cellCount)
   });
 }
 
-/// Whether all those of own cells were found, and none twice.
+/// True if all faces of own cells were found, and no face twice.
 bool haveAll(const CellWindow& window, std::span<const Index> cells, std::vector<Index> found)
 {
   for (std::size_t i = 0; i < found.size(); ++i)
@@ -113,7 +113,7 @@ CellWindow CellWindows::window(std::size_t number, const Executor& executor)
   return out;
 }
 
-/// The cells of the window, and those about them.
+/// Collects the window's own cells and the cells around them.
 void CellWindows::gatherCells(std::size_t number, CellWindow& out)
 {
   const std::size_t first = number * chosen_.size() / count_;
@@ -172,7 +172,7 @@ void CellWindows::renumberPoints(CellWindow& out)
   }
 }
 
-/// Of the cells of a window. Points that it does not have become the one behind the last.
+/// Takes the faces of a window's cells. Points that the window does not have get the number after its last point.
 void CellWindows::takeFaces(const Buckets& ofCell, std::span<const BoundaryFaceKey> faces,
                             std::span<const Index> neighbors, CellWindow::Faces& to, const CellWindow& window) const
 {

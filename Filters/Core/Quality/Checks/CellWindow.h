@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Meshes in parts that fit together: some cells, with all about them.
+/// Cuts a mesh into windows: some cells, with all cells around them.
 #pragma once
 
 #include "Quality/Checks/BoxQuality.h"
@@ -7,32 +7,32 @@
 
 namespace atria {
 
-/// Some cells of a mesh, and those others that have a point of them: as a mesh of its own, in which the faces of the
-/// former are as in the whole mesh. Cells keep their order, points do not.
+/// Some cells of a mesh, and other cells that share points with them, as a separate mesh. Faces of the window's own
+/// cells are the same as in the whole mesh. Cells keep their order, points do not.
 class CellWindow
 {
 public:
   const FaceMesh& mesh() const { return mesh_; }
-  /// The numbers that its cells have in the whole mesh, in rising order.
+  /// Numbers of its cells in the whole mesh, in rising order.
   std::span<const Index> cells() const { return cells_; }
-  /// Whether a cell is not one of those that are only about.
+  /// True if the cell is one of the window's own, not one around them.
   bool isOwn(std::size_t cell) const { return cells_[cell] >= firstOwn_ && cells_[cell] <= lastOwn_; }
   Index pointOf(Index point) const { return points_[point]; }
   CellArrays arrays() const
   {
     return {types_, offsets_, connectivity_, PolyhedronFaces::Stream(faceStream_, faceLocations_)};
   }
-  /// Whether the faces that were asked for of its own cells are there, and none twice.
+  /// True if all requested faces of its own cells exist, and no requested face exists twice.
   bool hasAskedFaces(const Executor& executor) const;
 
 private:
   friend class CellWindows;
 
-  /// Faces asked for, with the numbers of the window.
+  /// Requested faces, with the window's numbers.
   struct Faces
   {
     std::vector<Index> cells;
-    std::vector<Index> neighbors; ///< of faces of zones
+    std::vector<Index> neighbors; ///< second cells of zone faces
     std::vector<std::size_t> offsets{0};
     std::vector<std::int64_t> points;
 
@@ -53,17 +53,17 @@ private:
   Faces zones_;
 };
 
-/// The windows of a mesh, or of some of its cells: others then are not there. What it is made from must outlive it.
+/// The windows of a mesh, or of some of its cells; other cells are then left out. The arguments must outlive it.
 class CellWindows
 {
 public:
-  /// `cells` are sound as far as their offsets; `chosen` is in rising order, and is shared out on windows of at least
-  /// `length` cells.
+  /// The offsets of `cells` must be valid. `chosen` is in rising order and is divided into windows of at least `length`
+  /// cells (a single window if there are fewer).
   CellWindows(std::span<const Vec3> points, const CellArrays& cells, std::span<const Index> chosen,
               const AskedFaces& asked, std::size_t length, const Executor& executor);
 
   std::size_t count() const { return count_; }
-  /// Throws Error as makeFaceMesh() does, with other numbers of cells and points.
+  /// Makes a window. Throws Error as makeFaceMesh() does, but with the window's numbers of cells and points.
   CellWindow window(std::size_t number, const Executor& executor);
 
 private:
@@ -77,11 +77,11 @@ private:
   std::span<const Index> chosen_;
   const AskedFaces& asked_;
   std::size_t count_;
-  Buckets cellsAt_;           ///< by point, those chosen
-  Buckets patchesOf_;         ///< by cell
-  Buckets zonesOf_;           ///< by cell
-  Buffer<Index> newPoint_;    ///< in the window that is made; else noIndex
-  std::vector<char> isTaken_; ///< by cell, while a window is made
+  Buckets cellsAt_;           ///< one entry per point: the chosen cells that have it
+  Buckets patchesOf_;         ///< one entry per cell
+  Buckets zonesOf_;           ///< one entry per cell
+  Buffer<Index> newPoint_;    ///< numbers in the window that is being made; else noIndex
+  std::vector<char> isTaken_; ///< one entry per cell, while a window is made
 };
 
 } // namespace atria

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Limits of OpenFOAM's checkMesh.
 #pragma once
 
-/// Limits of OpenFOAM's checkMesh that others than its checks look at, too: what is beyond one fails.
+/// Limits of checkMesh that code outside its checks uses too. Values beyond a limit fail.
 namespace atria::checkLimits {
 
-/// Of the sine by which a cell's face is to lie within the planes of its others.
+/// Sine of the angle by which a cell's faces must lie inside the planes of its other faces.
 inline constexpr double concaveSine = 1e-6;
 inline constexpr double determinant = 1e-3;
 inline constexpr double faceWeight = 0.05;

@@ -44,7 +44,7 @@ template <typename F> void forEdges(const MeasuredMesh& m, std::size_t f, F&& us
   }
 }
 
-/// Sums over the faces of a cell: of A, outward, and of its components' sizes.
+/// Sums over the faces of a cell: of outward A, and of the magnitudes of its components.
 struct AreaSums
 {
   Vec3 vectors = Vec3::Zero();
@@ -283,7 +283,7 @@ double edgeLength(const MeasuredMesh& m, std::size_t f)
   return std::sqrt(least);
 }
 
-/// In the order of the quantities.
+/// Descriptions, in the order of the quantities.
 constexpr std::array<double (*)(const MeasuredMesh&, std::size_t), checkQuantityCount> valuesOf{
     openness,    areaAspectRatio, determinant,  concavity,      weight,
     volumeRatio, flatness,        concaveAngle, faceTetQuality, edgeLength};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What users are told of checks that fail.
+/// Texts for users about checks that fail.
 #pragma once
 
 #include "Quality/Checks/MeshChecks.h"
@@ -9,14 +9,14 @@
 
 namespace atria {
 
-/// What can fail in a check: "cells", "faces", "points" or "mesh".
+/// Returns the name of the parts that a check judges: "cells", "faces", "points" or "mesh".
 const char* nameOf(MeshPart part);
 
-/// What to do where the check fails, in the words of the filters' properties; empty for a check that is no error.
+/// Returns advice for a check that fails, in terms of the filters' properties; empty for a check that is no error.
 const char* adviceFor(const MeshCheck& check);
 
-/// For each check that counts as failed: its name, how many cells or faces fail it, the place of the first of them, and
-/// what to do.
+/// Returns one text per check that counts as failed: its name, the number of cells or faces that fail it, the position
+/// of the first one, and advice.
 std::vector<std::string> failureTexts(const MeshVerdict& verdict);
 
 } // namespace atria

@@ -32,7 +32,7 @@ struct Limit
   double limit;
 };
 
-/// Runs the checks one after the other, so that no more than one value a face is held.
+/// Runs the checks one after the other, so that at most one value per face is held.
 class MeshChecker
 {
 public:
@@ -160,7 +160,7 @@ private:
     judge({"FaceArea", "zeroAreaFaces", true, false, vSmall}, MeshPart::Faces, valuesOf(m.mesh.faceCount(), area));
   }
 
-  /// checkMesh's set holds what is beyond 70 degrees; it fails only beyond 90.
+  /// checkMesh's set holds faces beyond 70 degrees; the check fails only beyond 90.
   void judgeOrthogonality()
   {
     const std::vector<double> cosines =
@@ -228,7 +228,7 @@ private:
     std::vector<Index> ends;
     for (std::size_t f = 0; f < lengths.size(); ++f)
     {
-      // Generous, as a length is rounded twice; each edge is then judged by its square.
+      // The search is generous, as a length is rounded twice; each edge is then judged by its square.
       if (lengths[f] * lengths[f] < 1.01 * limit)
       {
         addShortEdges(m.mesh.face(f), limit, ends);
@@ -260,8 +260,8 @@ private:
     }
   }
 
-  /// As checkMesh does: among points whose squared distances from the origin differ by less than the limit's square.
-  /// That finds points in the same place, such as those on the two sides of a sheet, but not all that are near.
+  /// Searches as checkMesh does: among points whose squared distances from the origin differ by less than the limit's
+  /// square. This finds points in the same place, such as those on the two sides of a sheet, but not all near points.
   void judgeNearPoints()
   {
     step();

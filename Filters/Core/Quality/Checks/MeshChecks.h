@@ -21,27 +21,27 @@ enum class MeshPart : std::uint8_t
   Points
 };
 
-/// What one check found. A check fails where a value is beyond its limit.
+/// Result of one check. A check fails if a value is beyond its limit.
 struct MeshCheck
 {
   const char* name;  ///< as in docs/arrays.md
-  const char* set;   ///< checkMesh's name of the set of what fails; empty where it has none
-  MeshPart part;     ///< what `failing` numbers; all of the mesh is one thing, number 0
-  bool isError;      ///< checkMesh counts it as failed; else it only tells
-  bool greaterFails; ///< beyond the limit is above it, else below
+  const char* set;   ///< checkMesh's name for the set of failing parts; empty if it has none
+  MeshPart part;     ///< kind of part that `failing` lists; the whole mesh is one part, number 0
+  bool isError;      ///< true if checkMesh counts it as failed; else it only reports it
+  bool greaterFails; ///< true if values above the limit fail, else values below
   double limit;
-  double worst;               ///< over the mesh; not a number where there is nothing to judge
-  double mean;                ///< likewise; of the cosine, in degrees, for angles between A and d
+  double worst;               ///< over the mesh; not a number if there is nothing to judge
+  double mean;                ///< likewise; for angles between A and d, the angle of the mean cosine in degrees
   std::vector<Index> failing; ///< rising
-  std::size_t failingCount;   ///< how many these are; of a part of a mesh, how many of the whole
-  Vec3 first;                 ///< centroid of the first of them, if they are cells or faces; of a part, of the whole
+  std::size_t failingCount;   ///< number of failing parts; in a part of a mesh, that of the whole
+  Vec3 first;                 ///< centroid of the first failing cell or face; in a part of a mesh, that of the whole
 };
 
-/// A part of a mesh whose other parts are with other ranks: its own cells and at least two rings of cells about them,
-/// in the order that they have in the whole (WidePiece.h).
+/// A part of a mesh whose other parts are on other ranks: its own cells and at least two rings of cells around them, in
+/// their order in the whole mesh (WidePiece.h).
 struct CheckedPart
 {
-  std::span<const char> isOwn;            ///< by cell
+  std::span<const char> isOwn;            ///< one entry per cell
   std::span<const std::int64_t> cellIds;  ///< numbers that put cells in the order of the whole, rising
   std::span<const std::int64_t> pointIds; ///< numbers of points in the whole, rising
   RankExchange& exchange;
@@ -53,22 +53,22 @@ struct MeshVerdict
   std::vector<MeshCheck> checks;
 
   const MeshCheck& operator[](const std::string& name) const; ///< throws Error for a name that no check has
-  /// The number checkMesh prints: it takes open and long cells for one check.
+  /// Returns the number that checkMesh prints: it counts open and long cells as one check.
   int failedChecks() const;
   bool ok() const { return failedChecks() == 0; }
 };
 
-/// Judges a mesh with the limits and to the rounding of OpenFOAM 1912: what lies exactly on a limit fails here where it
-/// fails there. The faces are those of `mesh`; a polyMesh with the same faces in another order has the same failing
-/// cells. Throws Aborted when asked to. The result has the same bits for any number of threads. Of a part the worst
-/// values, and up to rounding the means, are those of the whole, as are verdicts on own cells and their faces and
-/// points; `failing` numbers what fails here, ghosts among them. All ranks call it at the same time.
+/// Judges a mesh with the limits and the rounding of OpenFOAM 1912: values exactly on a limit fail here if they fail
+/// there. The faces are those of `mesh`; a polyMesh with the same faces in another order has the same failing cells.
+/// Throws Aborted when asked to. The result has the same bits for any number of threads. With `part`, all ranks call it
+/// at the same time. Worst values, and means up to rounding, are then those of the whole mesh, as are verdicts on own
+/// cells and their faces and points. `failing` lists local failures, ghosts included.
 MeshVerdict checkMesh(const MeasuredMesh& mesh, const RunContext& context, const CheckedPart* part = nullptr);
 
-/// For each cell the checks that it, one of its faces or one of its points fails: bit i stands for checks[i].
+/// Returns the checks that each cell, one of its faces or one of its points fails: bit i stands for checks[i].
 std::vector<std::uint32_t> failedChecksOfCells(const MeasuredMesh& mesh, const MeshVerdict& verdict);
 
-/// The same of checks that are errors.
+/// The same, for checks that are errors only.
 std::vector<std::uint32_t> failedErrorsOfCells(const MeasuredMesh& mesh, const MeshVerdict& verdict);
 
 } // namespace atria

@@ -37,22 +37,22 @@ struct QualityMetrics
   Buffer<double> facePyramids;
   /// See ScaledJacobian.h; not a number for polyhedra.
   Buffer<double> scaledJacobian;
-  /// 1 where the volume and all face pyramids are above 0 and the area vectors add up to nothing (to 1e-6 of
-  /// their absolute sum by component, OpenFOAM's openness); else 0.
+  /// 1 if the volume and all face pyramids are above 0 and the area vectors add up to zero (to 1e-6 of their absolute
+  /// sum by component, OpenFOAM's openness); else 0.
   Buffer<unsigned char> valid;
   std::size_t invalidCells = 0;
 
-  /// By internal face: 1 - A·d/(|A||d|).
+  /// One entry per internal face: 1 - A·d/(|A||d|).
   Buffer<double> squishOfFaces;
-  /// By internal face: degrees between A and d.
+  /// One entry per internal face: angle in degrees between A and d.
   Buffer<double> nonOrthogonalityOfFaces;
-  /// By face, boundary faces included: distance from the face's centroid to where d meets its plane, over the
-  /// greatest of 0.2|d| and the face's extent in that direction. On the boundary d is the component of r
-  /// along A, and the factor 0.4 (OpenFOAM).
+  /// One entry per face, boundary faces included: distance from the face's centroid to where d meets its plane, over
+  /// the greatest of 0.2|d| and the face's extent in that direction. On the boundary d is the component of r along A,
+  /// and the factor 0.4 (OpenFOAM).
   Buffer<double> skewnessOfFaces;
 };
 
-/// All that is by cell, but for `valid`, and all that is by face.
+/// All metrics of cells except `valid`, and all metrics of faces.
 using QualityList = Buffer<double> QualityMetrics::*;
 inline constexpr std::array<QualityList, 10> cellMetrics{
     &QualityMetrics::cellSquish,        &QualityMetrics::faceSquish,
@@ -63,10 +63,10 @@ inline constexpr std::array<QualityList, 10> cellMetrics{
 inline constexpr std::array<QualityList, 3> faceMetrics{
     &QualityMetrics::squishOfFaces, &QualityMetrics::nonOrthogonalityOfFaces, &QualityMetrics::skewnessOfFaces};
 
-/// What skewnessOfFaces holds, for one face.
+/// Returns the skewness of one face, as in skewnessOfFaces.
 double faceSkewness(const MeasuredMesh& mesh, std::size_t face);
 
-/// A·d/(|A||d|) of an internal face, up to rounding at most 1.
+/// Returns A·d/(|A||d|) of an internal face; at most 1 up to rounding.
 double faceCosine(const MeasuredMesh& mesh, std::size_t face);
 
 /// Measures all of the above. `cells` are those the mesh was made of. The result has the same bits for any

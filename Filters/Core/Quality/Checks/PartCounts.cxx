@@ -20,7 +20,7 @@ struct NumberedPoint
   Vec3 place;
 };
 
-/// Where a cell or face is in the order of the whole: behind all others if there is none.
+/// Key of a cell or face in the order of the whole mesh; after all others if there is none.
 struct First
 {
   int isBoundary = 2;
@@ -40,7 +40,7 @@ std::vector<char> pointsOfOwn(const FaceMesh& mesh, std::span<const char> isOwn)
   {
     for (const Index point : mesh.face(f))
     {
-      lowest[point] = std::min(lowest[point], mesh.owner[f]); // never higher than the neighbor
+      lowest[point] = std::min(lowest[point], mesh.owner[f]); // the owner is never higher than the neighbor
     }
   }
   std::vector<char> counted(lowest.size());

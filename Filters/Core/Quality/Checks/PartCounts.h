@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What counts of a part of a mesh where it is judged together with the parts of other ranks.
+/// Counts cells, faces and points of a part of a mesh once over all ranks.
 #pragma once
 
 #include "Quality/Checks/MeshChecks.h"
@@ -9,7 +9,7 @@
 
 namespace atria {
 
-/// Values of some things, of which the greatest or the least is the worst.
+/// Summary of values of which the greatest or the least is the worst.
 struct CountedValues
 {
   void add(double value, bool fails) { add({isGreatest, value, value, 1, fails ? std::size_t{1} : 0}); }
@@ -29,11 +29,12 @@ struct CountedValues
   std::size_t failing = 0;
 };
 
-/// By point, whether the cell of the lowest number that has it is one of these.
+/// Returns one entry per point: 1 if the lowest-numbered cell that has it is an own one.
 std::vector<char> pointsOfOwn(const FaceMesh& mesh, std::span<const char> isOwn);
 
-/// Without a part all counts, and there are no others. Faces count where their owner does, points where the cell of the
-/// lowest number that has them does: once over all ranks. Of all ranks are those functions that say "others".
+/// Without a part everything counts, and there are no other ranks. Faces count where their owner does, points where the
+/// lowest-numbered cell that has them does: once over all ranks. All ranks must call these functions at the same time,
+/// except operator().
 class PartCounts
 {
 public:
@@ -46,14 +47,15 @@ public:
   }
 
   void addOthers(CountedValues& values) const;
-  /// The place of the first thing in the order of the whole, where this one gives the first of its own, or noIndex.
+  /// Returns the position of the first part in the order of the whole mesh. `own` is the first one of this rank, or
+  /// noIndex.
   Vec3 first(MeshPart kind, std::size_t own, const Vec3& place) const;
   void addOthers(Vec3& sum, double& size) const;
   void addOthers(Box3& box) const;
-  /// How many of these count, those of others included.
+  /// Returns the number of points that count, over all ranks.
   std::size_t countPoints(const std::vector<Index>& points) const;
-  /// Points on the boundary that others have and this one has not, as far as they may be nearer than that to its own:
-  /// those on the other side of a sheet.
+  /// Returns boundary points of other ranks that this rank does not have and that may be nearer than `distance` to its
+  /// own, such as those on the other side of a sheet.
   std::vector<Vec3> pointsOfOthers(double distance) const;
 
 private:

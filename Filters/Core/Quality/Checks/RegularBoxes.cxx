@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
-/// Corners of VTK's hexahedron by the bits of their place: x 1, y 2, z 4.
+/// Place of each corner of VTK's hexahedron, in bits: x 1, y 2, z 4.
 constexpr std::array<unsigned, 8> placeOfCorner{0, 1, 3, 2, 4, 5, 7, 6};
 /// The corners of its faces.
 constexpr std::array<std::array<int, 4>, 6> facesOfBox{
@@ -66,7 +66,7 @@ private:
     }
   }
 
-  /// Those there are, even if the cell is wrong.
+  /// Calls use(point) for the points of a cell that exist, even if the cell is wrong.
   template <typename F> void forPoints(std::size_t cell, F&& use) const
   {
     const auto size = static_cast<std::int64_t>(cells.connectivity.size());
@@ -117,8 +117,8 @@ private:
     return same;
   }
 
-  /// A box takes a place at each of its corners, of which there are eight; what takes one that is taken, or is no box,
-  /// keeps all about it from being regular. Whether it is a box.
+  /// Takes one of the eight places at each corner of a box. A cell that takes a taken place, or that is no box, marks
+  /// its corners so that no cell there is regular. Returns true if the cell is a box.
   bool takePlaces(std::size_t cell)
   {
     if (!isHexahedron(cell))
@@ -145,7 +145,7 @@ private:
     return box;
   }
 
-  /// Returns what was there before.
+  /// Sets a bit. Returns the previous value.
   unsigned char setBit(unsigned char& to, unsigned char bit) const
   {
     if (isAlone)
@@ -197,7 +197,7 @@ private:
   const CellArrays& cells;
   const Executor& executor;
   bool isAlone;
-  Buffer<unsigned char> places; ///< per point, those that boxes have taken
+  Buffer<unsigned char> places; ///< one entry per point: bits of the places that boxes have taken
   Buffer<char> isApart;
   RegularBoxes out;
 };

@@ -9,28 +9,28 @@
 namespace atria {
 
 /// A cell is a regular box if it is a hexahedron along the axes, to the last bit of its coordinates, and so are the
-/// eight cells at each of its corners. All cells across its faces are boxes then, so that it is ideal in all that
-/// depends on directions. A regular box is told apart from the others, which have to be measured, without finding
-/// faces: from the corners alone. Cells may not overlap.
+/// eight cells at each of its corners. All cells across its faces are then boxes, so all its metrics that depend on
+/// directions are ideal. Regular boxes are found from the corners alone, without finding faces; other cells have to be
+/// measured. Cells must not overlap.
 struct RegularBoxes
 {
-  /// Per cell.
+  /// One entry per cell.
   Buffer<char> isRegular;
-  /// Per regular box, with no values for other cells: volume, and diagonal over shortest edge, its aspect ratio.
+  /// One entry per cell, unset for cells that are no boxes: volume, and aspect ratio (diagonal over shortest edge).
   Buffer<double> volumes;
   Buffer<double> aspectRatios;
-  /// Per point: whether a cell that is not regular has it.
+  /// One entry per point: 1 if a cell that is not regular has it.
   Buffer<char> isTouched;
-  /// In rising order: cells that are not regular, and those that are and may have a face in common with them, a face
-  /// all of whose points are touched.
+  /// Cells that must be measured, in rising order: cells that are not regular, and regular ones with a face whose
+  /// points are all touched, which may be shared with them.
   std::vector<Index> measured;
-  /// Faces between regular boxes that are not all touched: whether cells that are measured have them or not, they need
-  /// not be.
+  /// Number of faces between regular boxes with a point that is not touched. They need not be measured, even if
+  /// measured cells have them.
   std::size_t idealFaces = 0;
 };
 
-/// Cells at the `apart` points are not regular. What is wrong with the cells is not told: those that are wrong are to
-/// be measured. The result does not depend on threads. O(cells).
+/// Finds the regular boxes of a mesh. Cells at the `apart` points are not regular. Errors in cells are not reported;
+/// wrong cells are among the measured ones. The result does not depend on the number of threads. O(cells).
 RegularBoxes findRegularBoxes(std::span<const Vec3> points, const CellArrays& cells,
                               std::span<const std::int64_t> apart, const Executor& executor);
 

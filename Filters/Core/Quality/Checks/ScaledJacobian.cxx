@@ -16,7 +16,7 @@ namespace {
 
 using Corners = std::array<Vec3, 8>;
 
-/// Determinant of three vectors over the product of their lengths; 0 where one has no length.
+/// Returns the determinant of three vectors over the product of their lengths; 0 if one has no length.
 double normalizedDeterminant(const Vec3& a, const Vec3& b, const Vec3& c)
 {
   const double lengths = a.norm() * b.norm() * c.norm();
@@ -25,7 +25,7 @@ double normalizedDeterminant(const Vec3& a, const Vec3& b, const Vec3& c)
 
 JacobianTerms ofHexahedron(const Corners& p)
 {
-  // Per corner its neighbors in right-handed order.
+  // Neighbors of each corner in right-handed order.
   static constexpr std::array<std::array<int, 4>, 8> stars{
       {{0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6}, {3, 0, 2, 7}, {4, 7, 5, 0}, {5, 4, 6, 1}, {6, 5, 7, 2}, {7, 6, 4, 3}}};
   const Vec3 x = (p[1] + p[2] + p[5] + p[6]) - (p[0] + p[3] + p[4] + p[7]);

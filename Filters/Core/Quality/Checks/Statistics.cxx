@@ -11,10 +11,10 @@ namespace atria {
 
 namespace {
 
-/// Values a piece; pieces do not depend on the number of threads, so sums do not either.
+/// Values per piece. Pieces do not depend on the number of threads, so sums do not either.
 constexpr std::size_t pieceLength = 65536;
 
-/// Values that are added up plainly: so few lose nothing that matters, and need not wait for the compensation.
+/// Number of values that are added up plainly: so few lose no relevant digits, and need not wait for the compensation.
 constexpr std::size_t blockLength = 64;
 
 /// A sum with Kahan's compensation: millions of small terms keep their digits.
@@ -34,7 +34,7 @@ struct Sum
 
 std::size_t pieceCountOf(std::span<const double> values) { return (values.size() + pieceLength - 1) / pieceLength; }
 
-/// Of f of the finite values.
+/// Returns the sum of f over the finite values.
 template <typename F> double sumOfBlock(std::span<const double> values, F&& f)
 {
   double sums[4] = {0.0, 0.0, 0.0, 0.0};
@@ -45,7 +45,7 @@ template <typename F> double sumOfBlock(std::span<const double> values, F&& f)
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-/// Count and extremes of the finite values; whether there are infinite ones.
+/// Count and extremes of the finite values, and flags for infinite ones.
 struct Extremes
 {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -77,7 +77,8 @@ struct Extremes
     }
   }
 
-  /// Four at a time, none of which waits for another. Adds nothing, and says so, where a value is not finite.
+  /// Adds values in four lanes, none of which waits for another. Adds nothing and returns false if a value is not
+  /// finite.
   bool addFinite(std::span<const double, blockLength> values)
   {
     std::array<double, 4> least, greatest, nothing{};
@@ -90,7 +91,7 @@ struct Extremes
         const double value = values[i + lane];
         least[lane] = value < least[lane] ? value : least[lane];
         greatest[lane] = value > greatest[lane] ? value : greatest[lane];
-        nothing[lane] += 0.0 * value; // not a number, nor is its sum, where a value is not finite
+        nothing[lane] += 0.0 * value; // not a number if a value is not finite, and neither is its sum
       }
     }
     if (std::isnan((nothing[0] + nothing[1]) + (nothing[2] + nothing[3])))
@@ -112,7 +113,7 @@ struct Extremes
     hasInfinite[1] = hasInfinite[1] || other.hasInfinite[1];
   }
 
-  /// With the infinite values; not a number where there is no value.
+  /// Returns the minimum, infinite values included; not a number if there is no value.
   double leastOfAll() const
   {
     return hasInfinite[0] ? -infinity : count > 0 ? minimum : hasInfinite[1] ? infinity : std::nan("");
@@ -151,7 +152,7 @@ double total(std::span<const Sum> parts)
   return sum.value;
 }
 
-/// First time through the values.
+/// First pass over the values.
 struct FirstLook
 {
   FirstLook(std::span<const double> values, const Executor& executor)
@@ -196,10 +197,10 @@ struct FirstLook
   }
 
   Extremes extremes;
-  double sum; ///< of the finite values
+  double sum; ///< sum of the finite values
 };
 
-/// Where values go in a histogram.
+/// Bins of a histogram.
 struct Bins
 {
   Bins(const Extremes& extremes, std::size_t number) : count(number)
@@ -207,7 +208,7 @@ struct Bins
     const double low = extremes.minimum;
     const double high = extremes.maximum;
     width = (high - low) / static_cast<double>(count);
-    // A range so narrow that its bins cannot be told apart counts as one value.
+    // A range too narrow to separate its bins counts as one value.
     const bool single = !(low + width > low && high - width < high);
     width = single ? 1.0 / static_cast<double>(count) : width;
     start = single ? 0.5 * (low + high) - 0.5 : low;
@@ -224,7 +225,7 @@ struct Bins
   double width;
 };
 
-/// Second time through the values, with their mean and extremes known.
+/// Second pass over the values, with their mean and extremes known.
 struct SecondLook
 {
   SecondLook(std::span<const double> values, double mean, const Bins& bins, const Executor& executor)
@@ -266,7 +267,7 @@ struct SecondLook
                    [](double count) { return static_cast<std::size_t>(count); });
   }
 
-  double squares; ///< sum of those of the deviations from the mean
+  double squares; ///< sum of squared deviations from the mean
   std::vector<std::size_t> counts;
 };
 

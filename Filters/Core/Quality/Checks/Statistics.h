@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Mean, deviation, extremes and histogram of a sample.
 #pragma once
 
 #include "Support/Executor.h"
@@ -17,11 +18,11 @@ struct Statistics
   double minimum;        ///< not a number when the sample is empty, as are all below
   double maximum;
   double mean;
-  double standardDeviation; ///< of the population: divided by count
+  double standardDeviation; ///< population standard deviation: divided by count
 };
 
-/// A histogram of equal bins from the smallest to the greatest finite value. A sample of one value has bins
-/// one wide in all; all is zero for an empty one.
+/// A histogram of equal bins from the smallest to the greatest finite value. The bins of a sample of one value have a
+/// total width of 1. Everything is zero for an empty sample.
 struct Histogram
 {
   std::vector<double> centers;
@@ -43,8 +44,8 @@ struct Repeated
   std::size_t count = 0;
 };
 
-/// Has several processes, each with a part of a sample, look at it as one: replaces values by their sums, least or
-/// greatest over all. All call the same in the same order.
+/// Port that combines the parts of a sample that several processes hold. Each function replaces values by their sums,
+/// minima or maxima over all processes. All processes make the same calls in the same order.
 class Reduction
 {
 public:
@@ -54,9 +55,9 @@ public:
   virtual void greatest(std::span<double> values) const = 0;
 };
 
-/// Of values and of repeated ones. Goes through the values twice. At least one bin is made. The same bits for any
-/// number of threads. With `together` the distribution is that of all processes, on all of them; sums are then the same
-/// up to rounding.
+/// Returns the distribution of `values` and `repeated`. Reads the values twice. Makes at least one bin. The result has
+/// the same bits for any number of threads. With `together`, all processes get the distribution of all their values;
+/// sums are then the same up to rounding.
 Distribution distributionOf(std::span<const double> values, std::size_t binCount,
                             const Executor& executor = SerialExecutor(), const Repeated& repeated = {},
                             const Reduction* together = nullptr);

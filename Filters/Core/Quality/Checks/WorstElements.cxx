@@ -31,7 +31,7 @@ std::vector<Index> rankWorst(std::span<const double> values, const WorstElements
   return found;
 }
 
-/// Adds the elements that share a point with those at hand.
+/// Adds the elements that share a point with the elements so far.
 class Growth
 {
 public:
@@ -66,7 +66,7 @@ public:
   }
 
 private:
-  /// Asks an element's points, one after the other, until one `has`.
+  /// Tests an element's points, one after the other, until `has` is true for one.
   template <typename Has> bool anyPoint(std::size_t e, Has&& has) const
   {
     const auto end = static_cast<std::size_t>(cells.offsets[e + 1]);

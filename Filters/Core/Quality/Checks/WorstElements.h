@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The worst elements of a mesh with those about them.
+/// Finds the worst elements of a mesh and the elements around them.
 #pragma once
 
 #include "Quality/Faces/FaceMesh.h"
@@ -13,29 +13,30 @@
 
 namespace atria {
 
-/// Whether the greatest value of an array is the worst: not so of those metrics and quantities of Metrics.h and
-/// CheckQuantities.h whose smallest is, known by their names in docs/arrays.md; so of any other.
+/// True if the greatest value of an array is the worst. False for the metrics and quantities of Metrics.h and
+/// CheckQuantities.h whose smallest value is the worst, by their names in docs/arrays.md.
 bool greatestIsWorst(std::string_view arrayName);
 
 struct WorstElementsOptions
 {
   bool greatestIsWorst = true;
-  std::optional<std::size_t> count; ///< at most so many; without it all
-  std::optional<double> limit;      ///< only those beyond: above where the greatest is worst, else below
-  int rings = 1;                    ///< of elements about them; each ring shares points with the one before
+  std::optional<std::size_t> count; ///< greatest number of worst elements; all if not set
+  std::optional<double> limit;      ///< only elements beyond it: above if the greatest is worst, else below
+  int rings = 1;                    ///< number of rings of elements around them; each ring shares points with the one
+                                    ///< before
 };
 
 struct WorstElements
 {
   /// Element ids: the worst, worst first and lower ids first where equal; then ring after ring, each rising.
   std::vector<Index> elements;
-  std::vector<std::int32_t> ranks; ///< per element from 1, the worst; 0 in the rings
-  std::vector<std::int32_t> rings; ///< per element 0 for the worst, 1 for the elements that touch them …
+  std::vector<std::int32_t> ranks; ///< one entry per element: 1 for the worst and so on; 0 in the rings
+  std::vector<std::int32_t> rings; ///< one entry per element: 0 for the worst, 1 for the elements that touch them …
   std::size_t worstCount = 0;
 };
 
-/// One value for each element; elements whose value is not a number are never among the worst. Throws Error where the
-/// values are not as many as the elements, Aborted when asked to.
+/// Finds the worst elements. `values` has one entry per element; elements whose value is not a number are never among
+/// the worst. Throws Error if the number of values differs from that of elements, Aborted when asked to.
 WorstElements findWorstElements(std::span<const double> values, const CellArrays& cells, std::size_t pointCount,
                                 const WorstElementsOptions& options, const RunContext& context);
 

@@ -24,12 +24,12 @@ public:
 
   std::size_t size() const { return count; }
   std::int64_t operator[](std::size_t i) const { return wide ? wide[i] : narrow[i]; }
-  /// Those from `first` on, `number` of them, which there must be.
+  /// Returns `number` ids from `first` on; they must exist.
   IdView part(std::size_t first, std::size_t number) const
   {
     return wide ? IdView(Wide(wide + first, number)) : IdView(Narrow(narrow + first, number));
   }
-  /// Whether there are `number` of them from `first` on.
+  /// True if there are `number` ids from `first` on.
   bool has(std::int64_t first, std::int64_t number) const
   {
     const auto all = static_cast<std::int64_t>(count);
@@ -48,8 +48,8 @@ class PolyhedronFaces
 public:
   PolyhedronFaces() = default;
 
-  /// Up to VTK 9.3. In the stream each polyhedron has its number of faces, and for each of them the number of its
-  /// points and the points; by cell, where that begins.
+  /// Form up to VTK 9.3. For each polyhedron, the stream has its number of faces, then the number of points and the
+  /// points of each face. `locations` has one entry per cell: the place in the stream where this begins.
   static PolyhedronFaces Stream(IdView stream, IdView locations)
   {
     PolyhedronFaces faces;
@@ -57,7 +57,7 @@ public:
     faces.starts_ = locations;
     return faces;
   }
-  /// From VTK 9.4 on. Cell c has the faces cellFaces[cellOffsets[c] .. cellOffsets[c + 1]), and face f the points
+  /// Form from VTK 9.4 on. Cell c has the faces cellFaces[cellOffsets[c] .. cellOffsets[c + 1]), and face f the points
   /// facePoints[faceOffsets[f] .. faceOffsets[f + 1]).
   static PolyhedronFaces Lists(IdView cellOffsets, IdView cellFaces, IdView faceOffsets, IdView facePoints)
   {
@@ -70,8 +70,8 @@ public:
     return faces;
   }
 
-  /// Calls use(points), with an IdView, for each face of a cell. Returns false where the lists of a cell's faces do not
-  /// end within the arrays; `use` has been called for those before.
+  /// Calls use(points), with an IdView, for each face of a cell. Returns false if the lists of a cell's faces do not
+  /// end within the arrays; `use` has then been called for the faces before.
   template <typename F> bool each(std::size_t cell, F&& use) const
   {
     return areLists_ ? eachOfLists(cell, use) : eachOfStream(cell, use);
@@ -122,14 +122,14 @@ private:
     return true;
   }
 
-  IdView points_; ///< of faces, or the stream
-  IdView starts_; ///< by cell
+  IdView points_; ///< points of faces, or the stream
+  IdView starts_; ///< one entry per cell
   IdView faces_;
   IdView faceOffsets_;
   bool areLists_ = false;
 };
 
-/// Appends the faces of a cell to a stream, with new numbers newPoint(point). Returns false as each() does.
+/// Appends the faces of a cell to a stream, with the new point numbers newPoint(point). Returns false as each() does.
 template <typename NewPoint>
 bool appendFaces(const PolyhedronFaces& faces, std::size_t cell, NewPoint&& newPoint, std::vector<std::int64_t>& stream)
 {
@@ -145,8 +145,8 @@ bool appendFaces(const PolyhedronFaces& faces, std::size_t cell, NewPoint&& newP
   });
 }
 
-/// Cells as in vtkUnstructuredGrid. Cell types are VTK's numbers; known are tetrahedron 10, voxel 11, hexahedron 12,
-/// wedge 13, pyramid 14, polyhedron 42.
+/// Cells as in vtkUnstructuredGrid. Cell types are VTK's numbers; known types are tetrahedron 10, voxel 11, hexahedron
+/// 12, wedge 13, pyramid 14, polyhedron 42.
 struct CellArrays
 {
   std::span<const unsigned char> types;

@@ -25,15 +25,15 @@ struct LocalFace
   std::uint8_t corners[4];
 };
 
-/// How a cell type is made; polyhedra have no fixed shape and bring their faces along.
+/// Corners and faces of a cell type; polyhedra have no fixed shape and come with their own faces.
 struct CellShape
 {
   std::size_t corners = 0;
   std::span<const LocalFace> faces;
 };
 
-/// The shape of a tetrahedron, voxel, hexahedron, wedge or pyramid; no corners for any other type.
-/// VTK's wedge has the normal of its points 0, 1, 2 outward, away from 3, 4, 5.
+/// Returns the shape of a tetrahedron, voxel, hexahedron, wedge or pyramid; no corners for any other type. VTK's wedge
+/// has the normal of its points 0, 1, 2 outward, away from 3, 4, 5.
 CellShape shapeOf(unsigned char cellType);
 
 } // namespace atria

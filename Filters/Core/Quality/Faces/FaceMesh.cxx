@@ -15,11 +15,11 @@ namespace atria {
 
 namespace {
 
-/// Stands in `mates` for a half-face that must stay on the boundary.
+/// Entry of `mates` for a half-face that must stay on the boundary.
 constexpr Index keptApart = noIndex - 1;
 
-/// A half-face among those that have the same smallest point: the next smallest two points as one number, and the third
-/// (noIndex in a triangle). Only polygons of more than four points can agree in all three and still differ.
+/// Key of a half-face among those with the same smallest point: the next smallest two points as one number, and the
+/// third (noIndex in a triangle). Only polygons of more than four points can agree in all three and still differ.
 struct Key
 {
   std::uint64_t second;
@@ -64,7 +64,7 @@ std::array<Index, smallestCount> smallestPoints(std::span<const Index> face)
   return smallest;
 }
 
-/// Finds which half-faces are the two sides of one face.
+/// Finds the pairs of half-faces that are the two sides of one face.
 class Matcher
 {
 public:
@@ -128,8 +128,8 @@ private:
     return smallest;
   }
 
-  /// The first of the half-faces with each smallest point, a handful, which are sorted when they are matched. Until
-  /// then `mates` links them: buckets would take as much memory again as all mates.
+  /// First of the few half-faces with each smallest point; they are sorted when they are matched. Until then `mates`
+  /// links them: buckets would take as much memory again as all mates.
   Buffer<Index> linkBySmallestPoint(std::size_t pointCount)
   {
     Buffer<Index> heads(pointCount);
@@ -249,7 +249,7 @@ Buffer<Index> findMates(const HalfFaces& halves, std::size_t pointCount, std::sp
   return matcher.run(pointCount);
 }
 
-/// Numbers of faces and of their corners, internal and on the boundary; or where the next ones go.
+/// Counts of faces and of their corners, internal and on the boundary; or the places of the next ones.
 struct Place
 {
   std::size_t internalFaces = 0;
@@ -264,7 +264,7 @@ struct Place
   }
 };
 
-/// Makes half-faces the faces of a mesh.
+/// Turns half-faces into the faces of a mesh.
 class Assembler
 {
 public:
@@ -338,7 +338,7 @@ private:
     }
   }
 
-  /// Writes a face and moves on.
+  /// Writes a face and advances.
   void put(Index h, std::size_t& face, std::size_t& corner) const
   {
     const auto points = halves.face(h);
@@ -374,8 +374,8 @@ FaceMesh makeFaceMesh(std::vector<Vec3> points, const CellArrays& cells, std::sp
 
 namespace {
 
-/// Per key the first of its faces that has its points and isWanted(key, face). The owner of a key's faces is
-/// ownerOf(key); they are all within the mesh, or all on its boundary.
+/// Returns one entry per key: the first of its faces that has its points and for which isWanted(key, face) is true. The
+/// owner of a key's faces is ownerOf(key); all are internal, or all on the boundary.
 template <typename OwnerOf, typename IsWanted>
 std::vector<Index> findFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys, bool onBoundary,
                              const Executor& executor, const OwnerOf& ownerOf, const IsWanted& isWanted)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A polyhedral mesh by its faces: what solvers' formats and metrics are made of.
+/// Polyhedral mesh given by its faces, the basis of solvers' formats and of metrics.
 #pragma once
 
 #include "Quality/Faces/CellArrays.h"
@@ -15,9 +15,8 @@
 
 namespace atria {
 
-/// Every face once, owner before neighbor, in the order OpenFOAM asks for: internal faces first, sorted by
-/// (owner, neighbor), then boundary faces sorted by owner. A face's normal (right-hand rule) points out of
-/// its owner.
+/// Every face once, owner before neighbor, in the order that OpenFOAM requires: internal faces first, sorted by (owner,
+/// neighbor), then boundary faces sorted by owner. A face's normal (right-hand rule) points out of its owner.
 struct FaceMesh
 {
   std::vector<Vec3> points;
@@ -37,47 +36,48 @@ struct FaceMesh
   }
 };
 
-/// A boundary face named by its cell and points: such a face stays on the boundary even where another cell
-/// has the same points (a zero-thickness sheet that is one face wide shares all of them).
+/// A boundary face given by its cell and points. Such a face stays on the boundary even if another cell has the same
+/// points (a zero-thickness sheet that is one face wide shares all of them).
 struct BoundaryFaceKey
 {
   Index cell;
   std::span<const std::int64_t> points;
 };
 
-/// Derives the faces of a mesh. Throws Error for an unknown cell type, for a point that does not exist, for a
-/// face that more than two cells share and for one that a cell has twice; names the cells. O(n log n) in the
-/// number of faces; the same bits, and the same error, for any number of threads. A key that is no face of its cell has
-/// no effect here; findBoundaryFaces() finds such keys. `whenRead` is called when `cells` are not looked at any more,
-/// so that their memory may be given up for what comes then.
+/// Derives the faces of a mesh. Throws Error for an unknown cell type, for a point that does not exist, for a face that
+/// more than two cells share and for one that a cell has twice; the text names the cells. O(n log n) in the number of
+/// faces. The result has the same bits, and an error the same text, for any number of threads. A key that is no face of
+/// its cell has no effect here; findBoundaryFaces() finds such keys. `whenRead` is called once `cells` are not needed
+/// any more, so that their memory can be reused.
 FaceMesh makeFaceMesh(std::vector<Vec3> points, const CellArrays& cells,
                       std::span<const BoundaryFaceKey> boundaryFaces = {}, const Executor& executor = SerialExecutor(),
                       const std::function<void()>& whenRead = {});
 
-/// Per key the boundary face of its cell that has its points, or noIndex.
+/// Returns one entry per key: the boundary face of its cell that has its points, or noIndex.
 std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys,
                                      const Executor& executor = SerialExecutor());
 
-/// Per key the internal face between its cell and the one of `neighbors`, whichever owns it, that has its points; or
-/// noIndex.
+/// Returns one entry per key: the internal face between its cell and its entry of `neighbors` that has its points, or
+/// noIndex. Either cell may own it.
 std::vector<Index> findInternalFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys,
                                      std::span<const Index> neighbors, const Executor& executor = SerialExecutor());
 
-/// A face of a mesh whose cells have other numbers now. They sort in the order FaceMesh asks for.
+/// A face of a mesh whose cells got new numbers. Its comparison sorts faces in the order that FaceMesh requires.
 struct OrderedFace
 {
   bool onBoundary;
   Index owner;
   Index neighbor; ///< noIndex on the boundary
-  Index face;     ///< its number before
-  bool turned;    ///< whether what was its neighbor is its owner
+  Index face;     ///< its old number
+  bool turned;    ///< true if its old neighbor is now its owner
 
   auto operator<=>(const OrderedFace&) const = default;
 };
 
-/// Of the cells that the face's owner and neighbor are now, one of them noIndex on the boundary; not equal.
+/// Returns the OrderedFace of a face. `owner` and `neighbor` are the new numbers of its old owner and neighbor, one of
+/// them noIndex on the boundary; they must not be equal.
 OrderedFace orderFace(Index face, Index owner, Index neighbor);
-/// Appends a face to a mesh that lists them in order. `loop` are its points, in the order they had.
+/// Appends a face to a mesh whose faces are added in order. `loop` has its points in their old order.
 void appendFace(FaceMesh& mesh, const OrderedFace& face, std::span<const Index> loop);
 
 } // namespace atria

@@ -62,7 +62,7 @@ void measureCell(const FaceMesh& mesh, std::span<const Index> faces, std::size_t
 
 CellFaces makeCellFaces(const FaceMesh& mesh, const Executor& executor)
 {
-  // Faces that a cell is the neighbor of have numbers behind all others while they are sorted.
+  // Faces that a cell is the neighbor of get numbers after all others for sorting.
   const auto faceCount = static_cast<Index>(mesh.faceCount());
   CellFaces out = fillInOrder(mesh.cellCount, executor, [&](auto&& use) {
     executor.forEach(faceCount, grain, [&](std::size_t f) { use(mesh.owner[f], static_cast<Index>(f)); });

@@ -20,20 +20,20 @@ struct PolygonMeasure
   Vec3 centroid;
 };
 
-/// Cuts the polygon into triangles about the mean of its points: its area vector is their sum, its centroid the mean of
-/// theirs weighted by area.
+/// Measures a polygon by triangles around the mean of its points: its area vector is the sum of theirs, its centroid
+/// the mean of theirs weighted by area.
 PolygonMeasure measurePolygon(std::span<const Vec3> points, std::span<const Index> face);
 
-/// A cell's centroid, and its volume, negative where it is inside out.
+/// A cell's centroid, and its volume, negative if the cell is inverted.
 struct CellMeasureInOrder
 {
   Vec3 centroid;
   double volume;
 };
 
-/// `faceOf(i)` is the PolygonMeasure of a cell's face, its area vector outward. The cell is cut into pyramids from the
-/// mean of its face centroids: its volume is their sum, its centroid the mean of theirs weighted by volume. Sums are
-/// taken as OpenFOAM takes them.
+/// Measures a cell by pyramids from the mean of its face centroids: its volume is the sum of theirs, its centroid the
+/// mean of theirs weighted by volume. `faceOf(i)` returns the PolygonMeasure of a face with outward area vector. Sums
+/// are taken in OpenFOAM's order.
 template <typename FaceOf> CellMeasureInOrder measureCellInOrder(std::size_t faceCount, FaceOf&& faceOf)
 {
   Vec3 estimate = Vec3::Zero();
@@ -59,19 +59,19 @@ using CellFaces = Buckets;
 
 CellFaces makeCellFaces(const FaceMesh& mesh, const Executor& executor = SerialExecutor());
 
-/// Units: those of the points, squared for areas, cubed for volumes.
+/// Geometry of a mesh, in the units of its points, squared for areas, cubed for volumes.
 struct MeshGeometry
 {
   Buffer<Vec3> faceAreas; ///< area vectors, out of the owner
   Buffer<Vec3> faceCentroids;
   Buffer<Vec3> cellCentroids;
-  Buffer<double> cellVolumes; ///< negative where a cell is inside out
+  Buffer<double> cellVolumes; ///< negative if a cell is inverted
 };
 
-/// Faces are measured by measurePolygon(), cells by measureCellInOrder(). Throws Aborted when asked to.
+/// Measures faces by measurePolygon() and cells by measureCellInOrder(). Throws Aborted when asked to.
 MeshGeometry computeGeometry(const FaceMesh& mesh, const CellFaces& cellFaces, const RunContext& context);
 
-/// A mesh with all that metrics and checks start from. The mesh must outlive it.
+/// A mesh with the cell faces and geometry that metrics and checks need. The mesh must outlive it.
 struct MeasuredMesh
 {
   const FaceMesh& mesh;

@@ -13,13 +13,13 @@ namespace atria {
 
 namespace {
 
-/// Goes through the faces of one cell after the other. A cell that is wrong throws Error.
+/// Visits the faces of one cell after the other. Throws Error for a wrong cell.
 class FaceReader
 {
 public:
   FaceReader(const CellArrays& source, std::size_t numberOfPoints) : cells(source), pointCount(numberOfPoints) {}
 
-  /// Calls use(points) for each face of a cell, repeated corners left out.
+  /// Calls use(points) for each face of a cell, without repeated corners.
   template <typename F> void read(std::size_t ofCell, F&& use)
   {
     cell = ofCell;
@@ -131,7 +131,7 @@ private:
   std::vector<Index> face;
 };
 
-/// Numbers of faces and of their corners.
+/// Counts of faces and of their corners.
 struct Size
 {
   std::size_t faces = 0;

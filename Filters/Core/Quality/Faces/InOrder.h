@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Products of vectors added from the first component to the last, as OpenFOAM adds them. Eigen adds in another order,
-/// which differs in the last digit; where a figure lies on a limit of checkMesh, that decides.
+/// Products of vectors, added from the first component to the last as OpenFOAM does. Eigen adds in another order, which
+/// differs in the last digit; this decides for values on a limit of checkMesh.
 #pragma once
 
 #include "Support/Types.h"

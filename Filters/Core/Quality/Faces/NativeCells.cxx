@@ -20,7 +20,7 @@ double volumeOf(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& apex)
   return (b - a).cross(c - a).dot(apex - a) / 6.0;
 }
 
-/// Whether the fan from a corner covers the polygon without folding over.
+/// True if the fan from a corner covers the polygon without folding over.
 bool fanFits(std::span<const Vec3> points, std::span<const Index> face, std::size_t from, const Vec3& normal)
 {
   const Vec3& center = points[face[from]];
@@ -64,7 +64,7 @@ public:
   }
 
 private:
-  /// Triangles and quadrilaterals whose normals look into the cell.
+  /// Collects the triangles and quadrilaterals of a cell's faces, with normals into the cell.
   void collectBases(std::size_t cell)
   {
     bases.clear();
@@ -95,13 +95,14 @@ private:
         .centroid;
   }
 
-  /// From a place on, away from the plane that it lies deepest behind, again and again by less. Where there is a place
-  /// that sees all bases, it is reached in twenty steps three times in four, in a hundred nearly always.
+  /// Returns a position that sees all bases. Starts at `place` and moves away from the plane that it is deepest behind,
+  /// by less at each step. If such a position exists, it is reached in twenty steps three times in four, in a hundred
+  /// nearly always.
   std::optional<Vec3> placeThatSeesAll(Vec3 place) const
   {
     constexpr int mostSteps = 100;
-    constexpr double firstStep = 0.3; // of the cell's radius
-    constexpr double decrease = 0.7;  // power of the number of steps: they reach any place, yet end
+    constexpr double firstStep = 0.3; // as a share of the cell's radius
+    constexpr double decrease = 0.7;  // power of the step number: steps shrink to nothing, but can reach any position
     if (invertedPartsAt(place) == 0)
     {
       return place;
@@ -128,10 +129,10 @@ private:
   struct Plane
   {
     Vec3 point;
-    Vec3 normal; ///< into the cell; none where the corner is straight
+    Vec3 normal; ///< into the cell; zero if the corner is straight
   };
 
-  /// At each corner of each base.
+  /// Returns the planes at each corner of each base.
   std::vector<Plane> planesOfBases() const
   {
     std::vector<Plane> planes;
@@ -151,7 +152,7 @@ private:
   std::size_t invertedPartsAt(const Vec3& apex) const
   {
     return static_cast<std::size_t>(std::ranges::count_if(bases, [&](const std::vector<Index>& base) {
-      // At each corner, so that a quadrilateral that is bent counts where either of its diagonals would.
+      // Each corner is tested, so that a bent quadrilateral counts if it would for either diagonal.
       for (std::size_t i = 0; i < base.size(); ++i)
       {
         const auto at = [&](std::size_t k) -> const Vec3& { return mesh.points[base[(i + k) % base.size()]]; };

@@ -15,7 +15,7 @@ namespace atria {
 
 namespace {
 
-/// Cells one after the other, and their points.
+/// Cells for another rank, and their points.
 struct Parcel
 {
   std::vector<std::int64_t> ids;
@@ -23,10 +23,10 @@ struct Parcel
   std::vector<std::int64_t> offsets{0};
   std::vector<Index> corners;
   std::vector<std::int64_t> streamOffsets{0};
-  std::vector<std::int64_t> stream; ///< of polyhedra, as in PolyhedronFaces
-  std::vector<std::int64_t> labels; ///< cell by cell
-  std::vector<Index> faceCounts;    ///< of patches, by cell
-  std::vector<Index> patchOf;       ///< by face
+  std::vector<std::int64_t> stream; ///< faces of polyhedra, as in PolyhedronFaces
+  std::vector<std::int64_t> labels; ///< all labels of a cell, one cell after the other
+  std::vector<Index> faceCounts;    ///< number of patch faces, one entry per cell
+  std::vector<Index> patchOf;       ///< one entry per face
   std::vector<Index> faceSizes;
   std::vector<Index> facePoints;
   std::vector<std::int64_t> pointIds; ///< rising
@@ -46,7 +46,7 @@ struct Parcel
   }
 };
 
-/// Puts a cell's points in its stream of faces through `change`.
+/// Replaces the points in a cell's stream of faces by `change(point)`.
 template <typename Change> void changeStream(std::span<std::int64_t> stream, Change&& change)
 {
   std::size_t next = 1;
@@ -60,7 +60,7 @@ template <typename Change> void changeStream(std::span<std::int64_t> stream, Cha
   }
 }
 
-/// The cells of a rank, to be given to others.
+/// The cells of a rank, ready to be sent to others.
 class OwnCells
 {
 public:
@@ -86,7 +86,7 @@ public:
 
   Parcel all() const { return parcelOf(own); }
 
-  /// Points that cells of other ranks have, too.
+  /// Returns the points that cells of other ranks have, too.
   std::vector<std::int64_t> sharedPoints() const
   {
     std::vector<char> isOwnPoint(piece.points.size(), 0);
@@ -109,7 +109,7 @@ public:
     return shared;
   }
 
-  /// Own cells at some points, but for those that were given to that rank before.
+  /// Returns own cells at some points, except cells sent to that rank before.
   Parcel at(const std::vector<std::int64_t>& pointIds, std::size_t rank)
   {
     std::vector<char> isAsked(piece.points.size(), 0);
@@ -164,7 +164,7 @@ private:
     return out;
   }
 
-  /// Lists that grow leave holes in memory as large as themselves.
+  /// Reserves memory, as growing lists leave holes as large as themselves.
   void reserve(const std::vector<Index>& cells, Parcel& out) const
   {
     std::size_t corners = 0;
@@ -178,7 +178,7 @@ private:
     out.faceCounts.reserve(cells.size());
   }
 
-  /// Their points; returns the number that each point of the piece has among them.
+  /// Copies the points of cells to `out`. Returns the number that each point of the piece has there.
   std::vector<Index> takePoints(const std::vector<Index>& cells, Parcel& out) const
   {
     std::vector<Index> newPoint(piece.points.size(), noIndex);
@@ -221,13 +221,13 @@ private:
   }
 
   const NarrowPiece& piece;
-  std::vector<Index> placeOf; ///< points in the order of their numbers in the whole
+  std::vector<Index> placeOf; ///< points, sorted by their numbers in the whole mesh
   std::vector<Index> own;
-  Buckets facesOf;                      ///< by cell
-  std::vector<std::vector<Index>> sent; ///< by rank, rising
+  Buckets facesOf;                      ///< one entry per cell
+  std::vector<std::vector<Index>> sent; ///< one list per rank, rising
 };
 
-/// A parcel, whose it is, and in which ring.
+/// A parcel, its rank and its ring.
 struct Received
 {
   Parcel parcel;
@@ -235,7 +235,7 @@ struct Received
   Index ring;
 };
 
-/// Puts parcels together.
+/// Joins parcels into a wide piece.
 class Joiner
 {
 public:
@@ -278,7 +278,7 @@ private:
     std::int64_t id;
     Index parcel;
     Index cell;
-    std::size_t face; ///< where its faces of patches begin, and their points
+    std::size_t face; ///< first of its patch faces, and first of their points
     std::size_t facePoint;
   };
 
@@ -375,7 +375,7 @@ private:
   }
 
   const std::vector<Received>& received;
-  std::vector<std::vector<Index>> newPoint; ///< by parcel
+  std::vector<std::vector<Index>> newPoint; ///< one list per parcel
   WidePiece out;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a rank has of a mesh that is divided, with as many cells of other ranks about its own as a stage looks at.
+/// Widens a rank's piece of a divided mesh by rings of cells of other ranks.
 #pragma once
 
 #include "Quality/Faces/FaceMesh.h"
@@ -11,7 +11,7 @@
 
 namespace atria {
 
-/// What a rank has. Ghost cells are those of other ranks that share a point with its own.
+/// Piece of a mesh on a rank. Ghost cells are cells of other ranks that share a point with its own.
 struct NarrowPiece
 {
   std::span<const Vec3> points;
@@ -19,34 +19,35 @@ struct NarrowPiece
   /// Numbers in the whole.
   IdView cellIds;
   IdView pointIds;
-  /// By cell, 0 for ghosts.
+  /// One entry per cell, 0 for ghosts.
   std::span<const char> isOwn;
-  /// Faces of patches, and of each the number of its patch; those of own cells count.
+  /// Faces of patches, and the patch number of each; only faces of own cells count.
   std::span<const BoundaryFaceKey> faces;
   std::span<const Index> patchOf;
-  /// Numbers that cells bear, such as those of zones, list by list; each with one for each cell. As many lists on all
-  /// ranks.
+  /// Lists of numbers of cells, such as zones, each with one entry per cell. All ranks must have the same number of
+  /// lists.
   std::vector<IdView> labels = {};
 };
 
-/// Which cells and points of the whole a wide piece has: what is left to be known of it once its faces are made.
+/// Numbers of a wide piece's cells and points in the whole mesh; kept after its faces are made.
 struct WideNumbers
 {
   std::vector<std::int64_t> pointIds; ///< rising
   std::vector<std::int64_t> cellIds;  ///< rising
-  std::vector<Index> ranks;           ///< by cell, whose it is
-  Index ringCount = 0;                ///< that were asked for; there may be fewer cells
-  std::vector<Index> rings;           ///< by cell: 0 for own ones, 1 for those that share a point with these, and so on
-  std::vector<std::vector<std::int64_t>> labels; ///< list by list, each by cell
+  std::vector<Index> ranks;           ///< one entry per cell: the rank that owns it
+  Index ringCount = 0;                ///< number of rings requested; the mesh may end before
+  std::vector<Index> rings;           ///< one entry per cell: 0 for own cells, 1 for cells that share a point with
+                                      ///< these, and so on
+  std::vector<std::vector<std::int64_t>> labels; ///< lists with one entry per cell
 
-  /// By cell, whether it is the rank's own.
+  /// Returns one entry per cell: 1 if it is the rank's own.
   std::vector<char> ownCells() const;
-  /// noIndex where it is not there.
+  /// Returns the cell with this number in the whole mesh; noIndex if the piece does not have it.
   Index findCell(std::int64_t id) const;
 };
 
-/// Cells and points are in the order of their numbers in the whole, so that faces of the rank's own cells, and of all
-/// that are not in the last ring, are in the order of the whole, with the same geometry to the bit.
+/// Cells and points are in the order of their numbers in the whole mesh. Faces of own cells, and of all cells that are
+/// not in the last ring, are therefore in the order of the whole mesh, with the same geometry to the bit.
 struct WidePiece : WideNumbers
 {
   std::vector<Vec3> points;
@@ -54,7 +55,7 @@ struct WidePiece : WideNumbers
   std::vector<std::int64_t> offsets{0};
   std::vector<std::int32_t> connectivity;
   std::vector<std::int64_t> faceStream;
-  std::vector<std::int64_t> faceLocations; ///< by cell, as in PolyhedronFaces
+  std::vector<std::int64_t> faceLocations; ///< one entry per cell, as in PolyhedronFaces
 
   /// Faces of patches.
   std::vector<Index> faceCells;
@@ -67,12 +68,12 @@ struct WidePiece : WideNumbers
     return {types, offsets, connectivity, PolyhedronFaces::Stream(faceStream, faceLocations)};
   }
   std::vector<BoundaryFaceKey> faceKeys() const;
-  /// Gives up what cells() shows.
+  /// Frees the arrays that cells() returns.
   void releaseCells();
 };
 
-/// Adds rings of cells that share a point with those before. All ranks call it at the same time, with as many rings.
-/// Each tells all others the points of its outermost cells, and gets their cells.
+/// Adds rings of cells that share a point with the cells before. All ranks call it at the same time, with the same
+/// number of rings. Each rank sends the points of its outermost cells to all others, and gets their cells there.
 WidePiece widen(const NarrowPiece& piece, int rings, RankExchange& exchange);
 
 } // namespace atria

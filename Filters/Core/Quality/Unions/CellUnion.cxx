@@ -19,18 +19,18 @@ namespace atria {
 namespace {
 
 constexpr std::size_t fewestFaces = 4;
-/// Of the limits of skewness and non-orthogonality: unions keep away from them a little, as merging their coplanar
-/// faces moves their centroids.
+/// Share of the limits of skewness and non-orthogonality that unions may reach. The margin is needed because merging
+/// their coplanar faces moves their centroids.
 constexpr double greatestPenalty = 0.99;
 
-/// Some cells and their neighbors as a mesh of their own, in which the cells are one, number 0.
+/// Some cells and their neighbors as a separate mesh, in which the cells are merged into cell 0.
 struct Surroundings
 {
   FaceMesh mesh;
   std::vector<Index> patchOf; ///< as for mergeCoplanarFaces()
 };
 
-/// By the numbers of `localCell`.
+/// Returns the faces of the surroundings, sorted by the cell numbers of `localCell`.
 std::vector<OrderedFace> facesAbout(const CellUnions& unions, const std::map<Index, Index>& localCell,
                                     std::span<const Index> cells)
 {
@@ -63,7 +63,8 @@ std::vector<OrderedFace> facesAbout(const CellUnions& unions, const std::map<Ind
   return order;
 }
 
-/// What lies beyond a face that is on the boundary of the surroundings: its patch, or another number for each cell.
+/// Returns a number for the region beyond a boundary face of the surroundings: its patch, or a distinct number per
+/// cell.
 Index beyond(const CellUnions& unions, const OrderedFace& local)
 {
   const auto [owner, neighbor] = unions.sidesOf(local.face);
@@ -129,8 +130,8 @@ Surroundings surroundingsOf(const CellUnions& unions, std::span<const Index> cel
   return out;
 }
 
-/// Whether faces have every edge of theirs twice, once each way, are connected over edges, and are a sphere by Euler's
-/// formula. All look out of cell 0, which owns them.
+/// True if each edge of the faces is used twice, once in each direction, and the faces are connected over edges and
+/// form a sphere by Euler's formula. All faces point out of cell 0, which owns them.
 bool isBall(const FaceMesh& mesh, std::span<const Index> faces)
 {
   std::map<std::pair<Index, Index>, Index> faceOfEdge;

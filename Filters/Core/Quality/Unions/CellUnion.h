@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a group of cells would be as one cell.
+/// Unions of cells, and the quality that a group of cells would have as one cell.
 #pragma once
 
 #include "Quality/Faces/Geometry.h"
@@ -14,8 +14,8 @@
 
 namespace atria {
 
-/// Cells that are made one: which cell each now belongs to, and the faces of those that others belong to. And cells
-/// that are to be cut into pyramids, see splitIntoPyramids(); they keep their number and faces here.
+/// Merged cells: the cell that each one belongs to, and the faces of cells that others belong to. Also cells that are
+/// to be cut into pyramids, see splitIntoPyramids(); they keep their number and faces here.
 class CellUnions
 {
 public:
@@ -23,23 +23,23 @@ public:
   CellUnions(const FaceMesh& mesh, std::span<const Index> patchOf, const Executor& executor,
              std::span<const Index> zoneOf = {});
 
-  /// Of a boundary face.
+  /// Returns the patch of a boundary face.
   Index patchOf(Index face) const { return patches.empty() ? 0 : patches[face - mesh.internalFaceCount()]; }
 
-  /// The cell that stands for the one that `cell` is part of: the lowest of its cells.
+  /// Returns the cell that represents the union that `cell` is part of: the lowest of its cells.
   Index cellOf(Index cell) const { return into[cell]; }
-  /// The two cells of a face, as they are now; the second is noIndex on the boundary.
+  /// Returns the two current cells of a face; the second is noIndex on the boundary.
   std::pair<Index, Index> sidesOf(Index face) const;
   std::span<const Index> facesOf(Index cell) const;
-  /// The faces that some of these cells have and do not share with each other; rising.
+  /// Returns the faces that these cells do not share with each other; rising.
   std::vector<Index> outerFaces(std::span<const Index> cells) const;
-  /// The cells beyond the outer faces of these, but for those beyond a face of a zone; rising.
+  /// Returns the cells beyond the outer faces of these, except cells beyond a face of a zone; rising.
   std::vector<Index> neighborsOf(std::span<const Index> cells) const;
-  /// Makes these one. None of them is to be cut.
+  /// Merges these cells. None of them may be marked for cutting.
   void unite(std::span<const Index> cells);
-  /// Whether other cells belong to this one.
+  /// True if other cells belong to this one.
   bool isUnited(Index cell) const { return united.contains(cell); }
-  /// Has a cell cut to which no others belong.
+  /// Marks a cell for cutting. No other cell may belong to it.
   void split(Index cell) { cut.insert(cell); }
   bool isSplit(Index cell) const { return cut.contains(cell); }
   const std::set<Index>& splitCells() const { return cut; }
@@ -58,23 +58,24 @@ private:
   std::set<Index> cut;
 };
 
-/// A cell that others would become, as checkMesh() judges it.
+/// Verdict of checkMesh() on the cell that a group of cells would become.
 struct UnionVerdict
 {
-  bool isBall = false;     ///< is closed and a ball, with four faces at least; all else is false where it is not
-  bool sound = false;      ///< fails in nothing but its determinant and concavity, with 69 degrees of
-                           ///< non-orthogonality and a skewness of 3.9 at most
-  bool determined = false; ///< nor in its determinant
+  bool isBall = false;     ///< true if it is a closed ball with four faces at least; if not, all other values are false
+                           ///< or 0
+  bool sound = false;      ///< fails no check that is an error, except determinant and concavity, and its penalty is at
+                           ///< most 0.99 (69.3 degrees of non-orthogonality, skewness 3.96)
+  bool determined = false; ///< passes the check of its determinant
   bool concave = false;
-  double penalty = 0.0; ///< of its worst face, 1 at 70 degrees of non-orthogonality or a skewness of 4
+  double penalty = 0.0; ///< penalty of its worst face: 1 at 70 degrees of non-orthogonality or a skewness of 4
 };
 
-/// Judges the union of cells that are connected over faces, as it is and once its coplanar faces are merged.
+/// Judges the union of cells that are connected over faces, both as it is and after merging its coplanar faces.
 UnionVerdict judgeUnion(const CellUnions& unions, std::span<const Index> cells, const Executor& executor);
 
-/// The greatest penalty of the pyramids of a cell, as UnionVerdict has it. Nothing unless these would pass all of
-/// checkMesh()'s checks, with 69 degrees of non-orthogonality and a skewness of 3.9 at most, and the cell's neighbors
-/// all they pass now, once coplanar faces are merged.
+/// Returns the greatest penalty (see UnionVerdict) of the pyramids that a cell would be cut into. Returns nullopt
+/// unless, after merging coplanar faces, the pyramids pass all checks of checkMesh() that are errors, their penalty is
+/// at most 0.99, and the cell's neighbors pass all such checks that they pass now.
 std::optional<double> splitPenalty(const CellUnions& unions, Index cell, const Executor& executor);
 
 } // namespace atria

@@ -12,12 +12,13 @@ namespace atria {
 namespace {
 
 constexpr std::size_t fewestFaces = 4;
-/// Of leastTetrahedron(), by far more than rounding. What is less may not become less still, but for rounding.
+/// Value of leastTetrahedron() that is positive beyond all rounding. A smaller value may not decrease further, except
+/// by rounding.
 constexpr double clearlyAbove = 1e-6;
 constexpr double rounding = 1e-12;
 
-/// How many of a cell's faces, outward, look at another one from behind or from within its plane, as checkMesh tells
-/// concave cells.
+/// Counts the pairs of a cell's faces in which one sees the other from behind or from within its plane. This is how
+/// checkMesh finds concave cells. `faces` point outward.
 std::size_t concavePairs(const std::vector<PolygonMeasure>& faces)
 {
   std::size_t pairs = 0;
@@ -120,7 +121,7 @@ double FaceUnions::leastIn(const FaceUnion& change, Index face) const
   return leastTetrahedron(mesh.points, loopIn(change, face), centroidIn(change, mesh.owner[face]), beyond);
 }
 
-/// Whether the face does not lose its sound tetrahedra.
+/// True if the face does not lose its valid tetrahedra.
 bool FaceUnions::staysSound(const FaceUnion& change, Index face) const
 {
   double before = leastIn({}, face);
@@ -131,7 +132,7 @@ bool FaceUnions::staysSound(const FaceUnion& change, Index face) const
   return leastIn(change, face) >= std::min(clearlyAbove, before - rounding);
 }
 
-/// Whether outlines that change fit in with the cell's other faces.
+/// True if changed outlines fit the cell's other faces.
 bool FaceUnions::outlinesFit(const FaceUnion& change, const std::vector<Index>& faces) const
 {
   return std::all_of(change.loops.begin(), change.loops.end(), [&](const auto& changed) {
@@ -218,7 +219,7 @@ void FaceUnions::count(std::span<const Index> loop, int change)
 MergedFaces FaceUnions::writeFaces()
 {
   const std::size_t before = mesh.faceCount();
-  Index first = 0; // from which on numbers change
+  Index first = 0; // numbers change from this face on
   while (first < before && !loops.contains(first))
   {
     ++first;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Faces of a mesh that are made one, and what becomes of their cells.
+/// Merges faces of a mesh and checks the effect on their cells.
 #pragma once
 
 #include "Quality/Faces/Geometry.h"
@@ -11,39 +11,41 @@
 
 namespace atria {
 
-/// Faces of the same cells that are made one, and the outlines and centroids that come with it.
+/// Faces of the same cells that are merged, with the outlines and centroids that result.
 struct FaceUnion
 {
-  std::vector<Index> group;                  ///< the first of them is what they become
-  std::map<Index, std::vector<Index>> loops; ///< by face, of the first of the group and of others that change
-  std::map<Index, Vec3> centroids;           ///< by cell, of all that have one of these faces
+  std::vector<Index> group;                  ///< faces to merge; the first one becomes the merged face
+  std::map<Index, std::vector<Index>> loops; ///< one entry per changed face, the first of the group included: its new
+                                             ///< outline
+  std::map<Index, Vec3> centroids;           ///< one entry per cell that has one of these faces: its new centroid
 };
 
-/// The faces of a mesh, of which some were made one. The mesh is as it was until writeFaces().
+/// The faces of a mesh, some of them merged. The mesh does not change until writeFaces().
 class FaceUnions
 {
 public:
   FaceUnions(FaceMesh& faceMesh, const RunContext& context);
 
-  /// Whether the face did not become a part of another one.
+  /// True if the face did not become part of another one.
   bool isLeft(Index face) const { return into[face] == face; }
   std::span<const Index> loopOf(Index face) const;
-  /// How many faces have the point.
+  /// Returns the number of faces that have the point.
   Index usesOf(Index point) const { return uses[point]; }
   std::vector<Index> cellsOf(Index face) const;
-  /// Those that are left.
+  /// Returns the remaining faces of a cell.
   std::vector<Index> facesOf(Index cell) const { return facesIn({}, cell); }
 
-  /// Sets the centroids by the outlines; there are none before.
+  /// Computes the centroids from the outlines; `change` must not have any yet.
   void findCentroids(FaceUnion& change) const;
-  /// Whether all cells stay closed and no face loses its sound tetrahedra, and the union is star-shaped seen from both
-  /// sides, from the centroids as they are and as they would be.
+  /// True if each cell keeps at least four faces, changed outlines fit the other faces, no face loses its valid
+  /// tetrahedra, and the union is star-shaped. It is seen from both sides, from the old and the new centroids.
   bool fits(const FaceUnion& change) const;
-  /// Whether fewer faces look at another one of their cell from behind or from within its plane, and of no cell more.
+  /// True if the change lowers the number of faces that see another face of their cell from behind or from within its
+  /// plane. No cell may get more of them.
   bool isLessConcave(const FaceUnion& change) const;
   void apply(FaceUnion change);
 
-  /// Gives the mesh its new faces. The unions are of no use then.
+  /// Writes the new faces into the mesh. The unions must not be used afterwards.
   MergedFaces writeFaces();
 
 private:
@@ -59,11 +61,11 @@ private:
   bool isInternal(Index face) const { return face < mesh.internalFaceCount(); }
 
   FaceMesh& mesh;
-  std::vector<Index> into; ///< the face each became a part of, itself where none
+  std::vector<Index> into; ///< the face that each one became part of, or itself
   CellFaces cellFaces;
   Buffer<Vec3> cellCentroids;
   std::vector<Index> uses;
-  std::map<Index, std::vector<Index>> loops; ///< of faces that others became a part of, or that changed with them
+  std::map<Index, std::vector<Index>> loops; ///< outlines of merged faces, and of faces that changed with them
 };
 
 } // namespace atria

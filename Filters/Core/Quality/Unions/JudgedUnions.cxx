@@ -16,7 +16,7 @@ namespace atria {
 
 namespace {
 
-/// What of each cell as it is now stems from unions.
+/// Bits that say which unions a new cell stems from.
 enum UnionPart : std::uint8_t
 {
   noUnion = 0,
@@ -24,14 +24,14 @@ enum UnionPart : std::uint8_t
   ofFaces = 2
 };
 
-/// By cell, whether it fails a check which is an error, or has faces that do.
+/// Returns one entry per cell: true if the cell, one of its faces or one of its points fails a check that is an error.
 std::vector<bool> failingCells(const MeasuredMesh& mesh, const MeshVerdict& verdict)
 {
   const std::vector<std::uint32_t> failed = failedErrorsOfCells(mesh, verdict);
   return {failed.begin(), failed.end()};
 }
 
-/// A cell that fails, and those that have faces with it.
+/// A cell that fails, and the cells that share faces with it.
 struct FailingCell
 {
   Index cell;
@@ -133,7 +133,7 @@ private:
     return cells;
   }
 
-  /// `patchOf` once cells were merged.
+  /// Returns `patchOf` for the faces after merging cells.
   std::vector<Index> patchNow(const JudgedMesh& now, std::size_t internalBefore) const
   {
     std::vector<Index> patches(patchOf.begin(), patchOf.end());
@@ -145,7 +145,7 @@ private:
     return patches;
   }
 
-  /// `options.zoneOf` once cells were merged.
+  /// Returns `options.zoneOf` for the faces after merging cells.
   std::vector<Index> zonesNow(const JudgedMesh& now) const
   {
     if (now.faceOf.empty() || options.zoneOf.empty())
@@ -176,7 +176,8 @@ private:
     }
   }
 
-  /// Has sound cells whose union, or what is beside it, fails kept as they were in the next round; whether there are.
+  /// Keeps valid cells unmerged in the next round if their union, or a cell beside it, fails. Returns true if there are
+  /// any new ones on any rank.
   bool keepSound(const std::vector<FailingCell>& failing, const JudgedMesh& now, const RunContext& within)
   {
     judgeSource(within);
@@ -199,7 +200,7 @@ private:
     return keep(undone, parts, now);
   }
 
-  /// Of the mesh without unions.
+  /// Judges the mesh without unions, once.
   void judgeSource(const RunContext& within)
   {
     if (!isSourceJudged)
@@ -211,7 +212,7 @@ private:
     }
   }
 
-  /// By cell as it is now, whether none of the cells that it was made of failed.
+  /// Returns one entry per new cell: true if none of its old cells failed.
   std::vector<bool> soundBefore(const JudgedMesh& now) const
   {
     std::vector<bool> sound(now.mesh.cellCount, true);
@@ -228,7 +229,7 @@ private:
 
   static Index cellNow(const JudgedMesh& now, Index cell) { return now.cellOf.empty() ? cell : now.cellOf[cell]; }
 
-  /// By cell as it is now.
+  /// Returns the UnionPart bits, one entry per new cell.
   std::vector<std::uint8_t> partsOf(const JudgedMesh& now) const
   {
     std::vector<std::uint8_t> parts(now.mesh.cellCount, noUnion);
@@ -263,7 +264,8 @@ private:
     }
   }
 
-  /// Of a cell that is a union only this is undone at first, and not that of its faces. Whether anything is undone.
+  /// Marks cells to keep in the next round. A merged or cut cell is only undone itself at first; its faces may still
+  /// merge. Returns true if anything is undone on any rank.
   bool keep(const std::vector<Index>& undone, const std::vector<std::uint8_t>& parts, const JudgedMesh& now)
   {
     std::vector<bool> isUndone(now.mesh.cellCount, false);
@@ -299,9 +301,9 @@ private:
   UnionRanks ranks;
   std::vector<Index> atEnd; ///< cells that no union has
   bool isSourceJudged = false;
-  FaceMesh source;                ///< without unions, once they have to be judged
-  std::vector<bool> failedBefore; ///< cell by cell of it
-  std::vector<Index> keptCells;   ///< that are not made one with others, nor cut; rising
+  FaceMesh source;                ///< the mesh without unions, once it is needed
+  std::vector<bool> failedBefore; ///< one entry per cell of `source`
+  std::vector<Index> keptCells;   ///< cells that are neither merged nor cut; rising
   std::vector<Index> keptFaces;   ///< cells whose faces are not merged; rising
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Unions of cells and faces that make no sound cell fail checkMesh's checks where that can be avoided.
+/// Merges cells and faces, and avoids that valid cells fail checkMesh's checks because of it.
 #pragma once
 
 #include "Quality/Checks/MeshChecks.h"
@@ -21,37 +21,37 @@ struct UnionOptions
   bool mergeFaces = true; ///< see mergeCoplanarFaces()
   /// For each internal face the number of its zone or noIndex, as in KeptParts.
   std::span<const Index> zoneOf = {};
-  /// Cells that are not made one with others, nor cut, rising.
+  /// Cells that are neither merged nor cut, rising.
   std::span<const Index> keptCells = {};
 };
 
 struct JudgedMesh
 {
   FaceMesh mesh;
-  std::vector<Index> cellOf; ///< for each cell before, the cell that it now is or is a part of, its first pyramid where
-                             ///< it was cut; empty where no cells changed
-  std::vector<Index> added;  ///< for each further pyramid, which are the last cells, the cell that was cut, by its
-                             ///< number now
-  std::vector<Index> faceOf; ///< for each face before, the face that it now is or is a part of, noIndex within a cell;
-                             ///< empty where no faces changed
+  std::vector<Index> cellOf; ///< one entry per old cell: its new cell, or the first pyramid if it was cut; empty if no
+                             ///< cells changed
+  std::vector<Index> added;  ///< one entry per further pyramid, which are the last cells: the new number of the cell
+                             ///< that was cut
+  std::vector<Index> faceOf; ///< one entry per old face: its new face, noIndex if it is now inside a cell; empty if no
+                             ///< faces changed
   std::size_t mergedCells = 0;
   std::size_t mergedFaces = 0;
   MeshVerdict verdict;
   std::vector<std::string> failures; ///< see failureTexts()
 
-  /// The cell that an entry of `added` stands for.
+  /// Returns the cell of an entry of `added`.
   std::size_t pyramid(std::size_t i) const { return mesh.cellCount - added.size() + i; }
 };
 
-/// Merges cells and faces of a mesh, judges what comes of it, and undoes unions of sound cells about cells that fail a
-/// check though they were sound before. Sound cells fail no check that is an error. Unions of cells that failed already
-/// stay: mostly they trade a cell with too few neighbors for a concave one, which solvers rather take. `makeMesh` gives
-/// the mesh; it is called once more where a union may have to be undone, of a part on all ranks. `patchOf` is as for
-/// mergeCoplanarFaces(). The result does not depend on threads. Throws Aborted when asked to.
+/// Merges cells and faces of a mesh and judges the result. Undoes unions of valid cells around cells that fail a check
+/// but were valid before. Valid cells fail no check that is an error. Unions of cells that failed before stay: they
+/// mostly trade a cell with too few neighbors for a concave one, which solvers tolerate better. `makeMesh` returns the
+/// mesh; it is called again if a union may have to be undone, for a part on all ranks. `patchOf` is as for
+/// mergeCoplanarFaces(). The result does not depend on the number of threads. Throws Aborted when asked to.
 ///
-/// Of a part the mesh is that of its piece: of own cells, and of those that have faces with these, the result is that
-/// of the whole, as are verdict and failures; counts are those of the part. All ranks call it at the same time. Throws
-/// RanksDisagree where unions reach farther than the pieces.
+/// With `part`, the mesh is that of the rank's piece. The result equals that of the whole mesh for own cells and for
+/// cells that share faces with them; so do verdict and failures. Counts are those of the part. All ranks call it at the
+/// same time. Throws RanksDisagree if unions reach farther than the pieces.
 JudgedMesh uniteAndJudge(const std::function<FaceMesh()>& makeMesh, std::span<const Index> patchOf,
                          const UnionOptions& options, const RunContext& context, const PieceOnRanks* part = nullptr);
 

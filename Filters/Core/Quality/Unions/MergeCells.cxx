@@ -21,20 +21,20 @@ namespace {
 
 using Mat3 = Eigen::Matrix3d;
 
-/// A cell has too few neighbors where no more than three faces of it are within the mesh and its determinant (see
+/// A cell has too few neighbors if it has fewer than three internal faces, or three and its determinant (see
 /// CheckQuantity::Determinant) is below this, checkMesh's limit. Thin cells of boundary layers have small determinants
 /// too, but more faces.
 constexpr double leastDeterminant = 1e-3;
-/// How many cells are made one at most.
+/// Largest number of cells in a union.
 constexpr std::size_t mostCells = 6;
-/// How many of the groups of cells that do not serve are tried with one cell more.
+/// Number of rejected groups that are tried with one more cell.
 constexpr std::size_t mostTried = 12;
 
 /// Sums over the internal faces of a cell.
 struct Directions
 {
-  Mat3 areas = Mat3::Zero(); ///< of A AT
-  double area = 0.0;         ///< of |A|
+  Mat3 areas = Mat3::Zero(); ///< sum of A A^T
+  double area = 0.0;         ///< sum of |A|
   int count = 0;
 
   void add(const Vec3& face)
@@ -45,7 +45,8 @@ struct Directions
     count += size > 0.0 ? 1 : 0;
   }
 
-  /// Four or more faces of a thin cell have a small determinant as well, but look all ways.
+  /// True if the faces do not determine a gradient. Four or more faces of a thin cell also have a small determinant,
+  /// but point in all directions.
   bool areFew() const
   {
     if (count != 3 || area <= 0.0)
@@ -57,8 +58,8 @@ struct Directions
   }
 };
 
-/// Whether all faces within the mesh look along one plane, as where it is one cell thick: no union of cells helps then.
-/// `areas` is the sum over all cells at its boundary.
+/// True if the normals of all internal faces lie in one plane, as in a mesh that is one cell thick: no union of cells
+/// helps then. `areas` is the sum over all cells at the boundary.
 bool areInOnePlane(const Mat3& areas)
 {
   constexpr double flat = 1e-12;
@@ -105,7 +106,7 @@ public:
 private:
   bool isKept(Index cell) const { return std::binary_search(kept.cells.begin(), kept.cells.end(), cell); }
 
-  /// Cells at walls whose internal faces do not look all ways; rising.
+  /// Returns cells at the boundary whose internal faces do not point in all directions; rising.
   std::vector<Index> findCandidates() const
   {
     std::vector<Index> cells(mesh.owner.begin() + static_cast<std::ptrdiff_t>(mesh.internalFaceCount()),
@@ -183,14 +184,14 @@ private:
     bool serves() const { return verdict.sound && verdict.determined; }
   };
 
-  /// Makes a cell one with others or has it cut where that helps; whether it did.
+  /// Merges a cell with others or marks it for cutting if that helps. Returns true if it did.
   bool resolve(CellUnions& unions, Index cell) const
   {
     const Index alone[] = {unions.cellOf(cell)};
     const UnionVerdict verdict = judgeUnion(unions, alone, context.executor);
     if (verdict.determined)
     {
-      return false; // another cell has become one with it
+      return false; // another cell was merged with it
     }
     const std::optional<Group> group = findGroup(unions, {{alone[0]}, verdict});
     const std::optional<double> split =
@@ -207,8 +208,8 @@ private:
     return group.has_value();
   }
 
-  /// The best group that serves, of those with the fewest cells. Of groups that do not serve the best are kept and
-  /// tried with one cell more.
+  /// Returns the best accepted group among those with the fewest cells. The best rejected groups are tried with one
+  /// more cell.
   std::optional<Group> findGroup(const CellUnions& unions, const Group& alone) const
   {
     std::vector<Group> groups{alone};
@@ -223,7 +224,7 @@ private:
     return std::nullopt;
   }
 
-  /// The groups with a neighbor each that are closed balls, the best ones first.
+  /// Returns the groups extended by one neighbor that are closed balls, best first.
   std::vector<Group> withOneMore(const CellUnions& unions, const std::vector<Group>& groups) const
   {
     std::set<std::vector<Index>> larger;
@@ -254,7 +255,7 @@ private:
     return found;
   }
 
-  /// Writes the mesh anew with the cells as they are now.
+  /// Rewrites the mesh with the new cells.
   MergedCells renumber(const CellUnions& unions)
   {
     MergedCells merged;
@@ -285,7 +286,7 @@ private:
     return merged;
   }
 
-  /// `cells` by their numbers before.
+  /// Cuts cells into pyramids. `cells` has their old numbers.
   void split(const std::set<Index>& cells, MergedCells& merged)
   {
     std::vector<Index> now;

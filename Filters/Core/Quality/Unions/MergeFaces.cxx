@@ -15,8 +15,9 @@ namespace atria {
 
 namespace {
 
-/// As mergedPlanarSine, of internal faces. One of the cells that share two faces is concave however its points are
-/// placed, by little where it is else well-shaped. No patch changes with such faces, so they need not be as flat.
+/// Like mergedPlanarSine, but for internal faces. If two cells share two faces, one of them is concave wherever its
+/// points are; only slightly if it is otherwise well-shaped. Such faces do not change a patch, so they may be less
+/// flat.
 constexpr double internalSine = 0.05;
 
 std::vector<Index> without(std::span<const Index> loop, Index point)
@@ -26,7 +27,7 @@ std::vector<Index> without(std::span<const Index> loop, Index point)
   return out;
 }
 
-/// The points before and behind one of a loop, the lesser one first.
+/// Returns the points before and after a point of a loop, the lower one first.
 std::pair<Index, Index> besideIn(std::span<const Index> loop, Index point)
 {
   const auto at = static_cast<std::size_t>(std::find(loop.begin(), loop.end(), point) - loop.begin());
@@ -83,14 +84,14 @@ private:
 
   double sineOf(Index face) const { return isInternal(face) ? internalSine : mergedPlanarSine; }
 
-  /// Whether they have the same owner and, if there is one, the same neighbor.
+  /// True if both faces have the same owner and, if there is one, the same neighbor.
   bool areOfOneRun(Index a, Index b) const
   {
     return mesh.owner[a] == mesh.owner[b] && isInternal(a) == isInternal(b) &&
            (!isInternal(a) || mesh.neighbor[a] == mesh.neighbor[b]);
   }
 
-  /// Behind the last face of a run.
+  /// Returns the end of a run, one past its last face.
   Index endOfRun(Index first) const
   {
     Index end = first + 1;
@@ -107,7 +108,7 @@ private:
            coplanar(mesh.points, loopOf(a), loopOf(b), sineOf(a));
   }
 
-  /// The first face of each run with two coplanar ones. Most meshes have few, many have none.
+  /// Returns the first face of each run with two coplanar faces. Most meshes have few, many have none.
   std::vector<Index> findCandidates(const Executor& executor) const
   {
     return chosenNumbers(mesh.faceCount(), executor, [&](std::size_t f) {
@@ -131,7 +132,7 @@ private:
     return false;
   }
 
-  /// Larger unions first: about a point inside of three faces, two of them alone are not star-shaped.
+  /// Merges the faces of a run, larger unions first: two of three faces around a point are not star-shaped alone.
   void mergeRun(Index first, Index end)
   {
     bool merged = true;
@@ -147,7 +148,7 @@ private:
     }
   }
 
-  /// Faces that can be reached from each other over edges between coplanar ones, two or more.
+  /// Returns groups of two or more faces that are connected over edges between coplanar faces.
   std::vector<std::vector<Index>> coplanarGroups(Index first, Index end) const
   {
     std::vector<Index> left;
@@ -211,8 +212,8 @@ private:
     return false;
   }
 
-  /// The union of all faces of a group; nothing where it is not one simple flat polygon, or where it leaves out a point
-  /// of another face.
+  /// Returns the union of all faces of a group; nullopt if it is not one simple flat polygon, or if it omits a point of
+  /// another face.
   std::optional<std::vector<Index>> unionOf(const std::vector<Index>& group) const
   {
     const auto firstLoop = loopOf(group[0]);
@@ -235,7 +236,7 @@ private:
     return loop && leavesOutOnlyOwnPoints(group, *loop) ? loop : std::nullopt;
   }
 
-  /// Whether no face outside of the group has a point that the union leaves out.
+  /// True if no face outside of the group has a point that the union omits.
   bool leavesOutOnlyOwnPoints(const std::vector<Index>& group, const std::vector<Index>& loop) const
   {
     std::map<Index, Index> own;
@@ -271,7 +272,7 @@ private:
     return true;
   }
 
-  /// Two internal faces whose union is no good for a point of their common edge, without that point.
+  /// Merges two internal faces without a point of their common edge, if their union is not possible with it.
   bool mergeWithoutPoint(const std::vector<Index>& pair)
   {
     const std::optional<std::vector<Index>> loop = unionOf(pair);
@@ -290,8 +291,8 @@ private:
     });
   }
 
-  /// All faces with the point lose it; nothing where there are others than those between a cell of the pair and
-  /// another one, or such with other points beside it.
+  /// Removes the point from all faces that have it. Returns nullopt if one of them is not between a cell of the pair
+  /// and another cell, or has other points beside it.
   std::optional<FaceUnion> unionWithout(const std::vector<Index>& pair, const std::vector<Index>& loop,
                                         Index point) const
   {

@@ -19,7 +19,7 @@ bool hasEdge(std::span<const Index> loop, Index from, Index to)
   return at != loop.end() && (at + 1 == loop.end() ? loop.front() : *(at + 1)) == to;
 }
 
-/// For each edge of a, which runs from point i to the next, whether b has it.
+/// Returns one entry per edge of a, which runs from point i to the next: true if b has it in the opposite direction.
 std::vector<bool> sharedEdges(std::span<const Index> a, std::span<const Index> b)
 {
   std::vector<bool> shared(a.size());
@@ -30,7 +30,7 @@ std::vector<bool> sharedEdges(std::span<const Index> a, std::span<const Index> b
   return shared;
 }
 
-/// How many runs of true there are round a loop; one that never ends counts as none.
+/// Counts the runs of true around a loop; a run that never ends does not count.
 std::size_t runsIn(const std::vector<bool>& flags)
 {
   std::size_t runs = 0;
@@ -60,7 +60,8 @@ bool hasRepeatedPoint(std::span<const Index> loop)
   return false;
 }
 
-/// Whether the triangle from an apex to an edge has the sense of the normal.
+/// True if the triangle from an apex to an edge is oriented along the normal, with an angle of a sine above `sine` at
+/// the apex.
 bool looksAlong(const Vec3& normal, const Vec3& apex, const Vec3& from, const Vec3& to, double sine)
 {
   const Vec3 u = from - apex;
@@ -105,7 +106,7 @@ std::optional<std::vector<Index>> unite(std::span<const Index> a, std::span<cons
   {
     loop.push_back(a[(first + i) % a.size()]);
   }
-  // In b the run goes the other way, so what b adds lies between the run's first point and its last.
+  // The run is reversed in b, so the points that b adds lie between the run's first point and its last.
   const auto from = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[first]) - b.begin());
   for (std::size_t i = 1; i + count < b.size(); ++i)
   {
@@ -191,7 +192,7 @@ double leastTetrahedron(std::span<const Vec3> points, std::span<const Index> loo
   const auto volume = [](const Vec3& from, const Vec3& to, const Vec3& apex, const Vec3& seenFrom) {
     return (from - seenFrom).cross(to - seenFrom).dot(apex - seenFrom) / 6.0;
   };
-  /// Of the triangles of an apex and so many edges.
+  /// Smallest volume over the triangles of an apex and `count` edges.
   const auto leastOf = [&](const Vec3& apex, std::size_t first, std::size_t count) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = first; i < first + count; ++i)

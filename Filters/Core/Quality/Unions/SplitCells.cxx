@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// Between two pyramids of a cell; out of the owner.
+/// Triangle between two pyramids of a cell; its normal points out of the owner.
 struct Triangle
 {
   std::array<Index, 3> points;
@@ -34,7 +34,7 @@ public:
   {
     const auto apex = static_cast<Index>(mesh.points.size());
     mesh.points.push_back(centroidOf(cell));
-    std::map<std::pair<Index, Index>, Index> pyramidAt; // by edge, as it runs round the pyramid's face
+    std::map<std::pair<Index, Index>, Index> pyramidAt; // pyramid of each edge, directed as in the pyramid's face
     Index pyramid = cell;
     for (const Index face : cellFaces.of(cell))
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Cells cut into pyramids over their faces.
+/// Cuts cells into pyramids over their faces.
 #pragma once
 
 #include "Quality/Faces/FaceMesh.h"
@@ -11,15 +11,15 @@ namespace atria {
 
 struct SplitCells
 {
-  std::vector<Index> faceOf; ///< for each face before, the same face now
-  /// For each pyramid but the first of its cell, which has the cell's number, the cell that it is a part of. These
-  /// pyramids have the numbers from the cell count before on.
+  std::vector<Index> faceOf; ///< one entry per old face: its new number
+  /// One entry per pyramid, except the first of each cell, which has the cell's number: the cell that it is part of.
+  /// These pyramids are numbered from the old cell count on.
   std::vector<Index> cellOf;
 };
 
-/// Cuts each of these cells into pyramids over its faces about its centroid, a new point behind all others. Faces of
-/// the cells stay, and have the order FaceMesh asks for. `cells` are different ones whose centroids see all their
-/// faces. Time as for sorting all faces.
+/// Cuts each of these cells into pyramids from its centroid over its faces. The centroids become new points after all
+/// others. Faces of the cells stay and have the order that FaceMesh requires. `cells` must be distinct and their
+/// centroids must see all their faces. O(n log n) in the number of faces.
 SplitCells splitIntoPyramids(FaceMesh& mesh, std::span<const Index> cells);
 
 } // namespace atria

@@ -11,17 +11,17 @@ namespace atria {
 
 namespace {
 
-/// Above all numbers of cells and points in a whole.
+/// Number above all cell and point numbers of a whole mesh.
 constexpr std::int64_t beyond = std::int64_t{1} << 60;
 
-/// What is told of a cell and compared.
+/// Identity and hash of a cell, which ranks compare.
 struct ToldCell
 {
   std::int64_t id;
   std::uint64_t hash;
 };
 
-/// As Fowler, Noll and Vo do, of 64 bits at once.
+/// Hash by Fowler, Noll and Vo, over 64 bits at once.
 class Hash
 {
 public:
@@ -36,7 +36,7 @@ private:
   std::uint64_t sum = 14695981039346656037U;
 };
 
-/// By cell as it is now, of its cells before and its faces.
+/// Returns one hash per new cell, over its old cells and its faces.
 std::vector<Hash> hashesOf(const JudgedMesh& now, const WideNumbers& piece, const UnitedCells& united)
 {
   const FaceMesh& mesh = now.mesh;
@@ -72,7 +72,7 @@ UnitedCells unitedCells(const JudgedMesh& now, const PieceOnRanks& part)
   for (std::size_t before = 0; before < piece.cellIds.size(); ++before)
   {
     const std::size_t cell = now.cellOf.empty() ? before : now.cellOf[before];
-    out.ranks[cell] = piece.ranks[before]; // that of the last counts
+    out.ranks[cell] = piece.ranks[before]; // the last cell's rank counts
     out.cellIds[cell] = out.cellIds[cell] < 0 ? piece.cellIds[before] : out.cellIds[cell];
   }
   out.pointIds = piece.pointIds;

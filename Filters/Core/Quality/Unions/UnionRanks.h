@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Unions of a mesh that is divided among ranks: each makes those about its own cells, as they are in the whole.
+/// Unions of cells in a mesh that is divided among ranks. Each rank makes those around its own cells as in the whole
+/// mesh.
 #pragma once
 
 #include "Quality/Checks/MeshChecks.h"
@@ -12,33 +13,33 @@ namespace atria {
 
 struct JudgedMesh;
 
-/// Rings of cells about those of a rank as far as which unions mostly reach. Where they reach farther ranks do not
-/// agree, and more rings may do: six cells become one at most, and what becomes of cells beside them counts.
+/// Number of rings of cells around those of a rank within which unions usually stay. Ranks disagree if unions reach
+/// farther; more rings may help then. Six cells are merged at most, and the result for cells beside them counts.
 inline constexpr int unionRings = 3;
 
-/// What a rank makes unions of, together with all others. Both must outlive it.
+/// Piece of the mesh that a rank merges cells of, together with all other ranks. Both members must outlive it.
 struct PieceOnRanks
 {
   const WideNumbers& piece;
   RankExchange& exchange;
 };
 
-/// The cells of a part as unions have left them.
+/// Cells of a part after unions.
 struct UnitedCells
 {
-  std::vector<char> isOwn; ///< a union is where the last of its cells is
+  std::vector<char> isOwn; ///< one entry per cell; a union belongs to the rank of its last cell
   std::vector<Index> ranks;
-  std::vector<std::int64_t> cellIds;  ///< the lowest of the cells that each was made of, by number in the whole; those
-                                      ///< of further pyramids are higher than all others
-  std::vector<std::int64_t> pointIds; ///< those of apices are higher than all others
+  std::vector<std::int64_t> cellIds;  ///< the lowest old cell of each, by its number in the whole; further pyramids
+                                      ///< have higher numbers than all others
+  std::vector<std::int64_t> pointIds; ///< apices have higher numbers than all others
 
   CheckedPart part(RankExchange& exchange) const { return {isOwn, cellIds, pointIds, exchange}; }
 };
 
-/// Of the mesh that a part became.
+/// Returns the cells of a part after unions.
 UnitedCells unitedCells(const JudgedMesh& now, const PieceOnRanks& part);
 
-/// What the judge of unions asks other ranks; without a part there are none.
+/// Exchange between the ranks that judge unions; without a part there is only one rank.
 class UnionRanks
 {
 public:
@@ -46,16 +47,17 @@ public:
   UnionRanks(const UnionRanks&) = delete;
   UnionRanks& operator=(const UnionRanks&) = delete;
 
-  /// Those of the last ring, whose neighbors are not all there.
+  /// Returns the cells of the last ring, some of whose neighbors are missing.
   std::vector<Index> cellsAtEnd() const;
   bool isAnywhere(bool here) const;
-  /// Of cells before unions, keeps own ones and adds those that others have found, as far as they are here. Sorted.
+  /// Keeps the rank's own cells of a list of cells before unions, and adds the cells that other ranks found and that
+  /// are in this piece. Sorts the list.
   void share(std::vector<Index>& cells) const;
-  /// Before unions; null without a part.
+  /// Returns the part before unions; null without a part.
   const CheckedPart* before() const { return whole ? &*whole : nullptr; }
-  /// What became of it, until this is called again. Null likewise.
+  /// Returns the part after unions, valid until the next call. Null without a part.
   const CheckedPart* after(const JudgedMesh& now);
-  /// Throws RanksDisagree where ranks have made other unions of the same cells, or given these other faces.
+  /// Throws RanksDisagree if ranks made different unions of the same cells, or gave them different faces.
   void expectSame(const JudgedMesh& now) const;
 
 private:

@@ -13,14 +13,14 @@ namespace atria {
 
 namespace {
 
-/// Between the normals of surfaces that face each other.
+/// Least cosine between the normals of surfaces that face each other.
 const double parallelCosine = cosOfDegrees(14.99);
-/// Between their normals and the way from one to the other.
+/// Least cosine between their normals and the way from one to the other.
 const double acrossCosine = cosOfDegrees(30.01);
 
 using Place = TriangleTree::Place;
 
-/// The shortest way from places of a model, on the lattice.
+/// Searches the shortest way between places of a model, on the lattice.
 class NarrowSearch
 {
 public:
@@ -82,7 +82,7 @@ public:
   }
 
 private:
-  /// Triangles across a gap.
+  /// Accepts triangles across a gap.
   struct AcrossFace : TriangleTree::AnyPlace
   {
     const NarrowSearch& search;
@@ -114,7 +114,7 @@ private:
     }
   };
 
-  /// Boundary edges across an opening.
+  /// Accepts boundary edges across an opening.
   struct AcrossOpening : TriangleTree::AnyPlace
   {
     const NarrowSearch& search;

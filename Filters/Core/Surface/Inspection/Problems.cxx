@@ -31,7 +31,7 @@ using Surfaces = std::vector<Index>;
 
 Surfaces keptFirst(Index keeps, Index gives) { return keeps == gives ? Surfaces{keeps} : Surfaces{keeps, gives}; }
 
-/// Problems of one kind that go by their surfaces, in the order in which these came up.
+/// Problems of one kind, one for each set of surfaces, in the order in which these came up.
 class Groups
 {
 public:
@@ -54,13 +54,13 @@ private:
   std::vector<Problem> problems;
 };
 
-/// Which surfaces take part in what happens at points.
+/// Collects the surfaces that take part in contacts at points.
 class SurfacesAtPoints
 {
 public:
   void add(Index point, Index surface) { uses.emplace_back(point, surface); }
 
-  /// The points below `count` that have been added.
+  /// Marks the points below `count` that have been added.
   std::vector<char> marked(std::size_t count) const
   {
     std::vector<char> marks(count, 0);
@@ -106,7 +106,7 @@ GridFrame frameAbout(const Box3& box)
   options.sizeMin = extent / octantsAcross;
   options.sizeMid = options.sizeMin;
   options.sizeMax = options.sizeMin;
-  // Nothing lies on the sides of this domain.
+  // Nothing of the model lies on the sides of this domain.
   options.domain = {box.min - Vec3::Constant(0.5 * extent), box.max + Vec3::Constant(0.5 * extent)};
   return makeGridFrame(options, options.domain);
 }
@@ -233,7 +233,7 @@ private:
     gatherEdges(ProblemKind::nonManifoldEdges, many);
   }
 
-  /// One problem for edges that are connected.
+  /// Adds one problem for each set of connected edges.
   void gatherEdges(ProblemKind kind, const std::vector<std::span<const SoupEdgeUse>>& edges)
   {
     UnionFind runs(soup.points.size());
@@ -334,7 +334,7 @@ private:
     soup = std::move(rest);
   }
 
-  /// Surfaces that have a point as a corner take part in its contacts.
+  /// Adds the surfaces that have a point as a corner: they take part in its contacts.
   void addUsersOfPoints(SurfacesAtPoints& atPoints) const
   {
     const std::vector<char> isTouched = atPoints.marked(soup.points.size());
@@ -352,7 +352,7 @@ private:
 
   double gapTolerance() const { return options.gapTolerance / frame.latticeUnit(); }
 
-  /// Cuts what touches, as the repair does, and finds pieces that lie upon each other.
+  /// Cuts triangles that touch, as the repair does, and finds pieces that lie upon each other.
   void findOverlaps(Overlaps& overlaps)
   {
     leaveOut(tangled);
@@ -362,7 +362,7 @@ private:
     AutorefineOptions refining;
     refining.overlaps = &overlaps;
     autorefine(soup, refining, hidden, context.part(0.7, 0.9));
-    constexpr double roundedAway = 1e-9; // of the square of the model's extent
+    constexpr double roundedAway = 1e-9; // part of the square of the model's extent
     const double extent = frame.rootSize();
     for (const Overlap& overlap : overlaps.all())
     {
@@ -375,7 +375,7 @@ private:
     }
   }
 
-  /// What the repair would move.
+  /// Finds the points that the repair would move.
   void findGaps(const SoupAsDrawn& drawn)
   {
     const double tolerance = gapTolerance();
@@ -409,7 +409,7 @@ private:
     groups.moveTo(problems);
   }
 
-  static constexpr std::int64_t contactReach = 4; ///< of rounding
+  static constexpr std::int64_t contactReach = 4; ///< in lattice units, for rounding
 
   const TriangleSurface& surface;
   const ProblemOptions& options;

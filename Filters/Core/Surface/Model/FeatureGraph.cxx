@@ -21,7 +21,7 @@ Vec3 vectorBetween(const SurfaceModel& model, Index from, Index to)
   return {static_cast<double>(q[0] - p[0]), static_cast<double>(q[1] - p[1]), static_cast<double>(q[2] - p[2])};
 }
 
-/// Both ends of the edge lie on the same two domain planes.
+/// True if both ends of the edge lie on the same two domain planes.
 bool onDomainEdge(const SurfaceModel& model, const GridFrame& frame, const SoupEdgeUse& use)
 {
   int planes = 0;
@@ -34,7 +34,7 @@ bool onDomainEdge(const SurfaceModel& model, const GridFrame& frame, const SoupE
   return planes >= 2;
 }
 
-/// The kind of curve that the uses [first, last) of one edge make; nothing where the surface is smooth there.
+/// Returns the kind of curve that the uses [first, last) of one edge make; nullopt if the surface is smooth there.
 std::optional<CurveKind> kindOf(const SurfaceModel& model, const SoupEdgeUse* first, const SoupEdgeUse* last,
                                 double minimumCosine)
 {
@@ -62,7 +62,7 @@ std::optional<CurveKind> kindOf(const SurfaceModel& model, const SoupEdgeUse* fi
   return std::nullopt;
 }
 
-/// What meets at one edge before curves are named: its kind and its triangles' charts.
+/// Kind of an edge and the charts of its triangles, before curves are named.
 using EdgeProfile = std::pair<CurveKind, std::vector<Index>>;
 
 /// The feature edges at each point, up to two; more than two make it a corner at once.
@@ -89,7 +89,7 @@ std::vector<PointCurves> curvesAtPoints(const SurfaceModel& model)
   return at;
 }
 
-/// Whether the two curves at a point go on as one through it.
+/// True if the two edges at a point continue each other as one curve.
 bool runsThrough(const SurfaceModel& model, Index p, const PointCurves& at, const std::vector<EdgeProfile>& profiles,
                  double minimumCosine)
 {
@@ -123,7 +123,7 @@ std::vector<Index> endingCharts(const std::vector<Index>& charts)
   return ending;
 }
 
-/// Names corners, and the curves between them.
+/// Finds corners, and the curves between them.
 void findCurves(SurfaceModel& model, const std::vector<EdgeProfile>& profiles, double minimumCosine)
 {
   const std::vector<PointCurves> at = curvesAtPoints(model);
@@ -170,7 +170,7 @@ void nameCharts(SurfaceModel& model, UnionFind& sets)
 
 std::vector<std::vector<Index>> surfacesOfCurves(const SurfaceModel& model)
 {
-  // Borders part charts, so a chart is of one surface.
+  // Borders separate charts, so a chart belongs to one surface.
   std::vector<Index> surfaceOf(model.triangles.size(), noIndex);
   for (Index t = 0; t < model.triangles.size(); ++t)
   {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds charts, feature edges, curves and corners of a model.
 #pragma once
 
 #include "Surface/Model/SurfaceModel.h"
@@ -10,10 +11,10 @@ namespace atria {
 /// and feature angle are set.
 void findFeatures(SurfaceModel& model, const GridFrame& frame, const Executor& executor);
 
-/// The boundary edges of a model's walls, but for those of triangles on sides of the domain.
+/// Returns the boundary edges of a model's walls, without those of triangles on sides of the domain.
 BoundaryEdges boundaryOf(const SurfaceModel& model, const Executor& executor);
 
-/// Per curve, the surfaces of the charts that meet there, sorted, each once.
+/// Returns, per curve, the surfaces of the charts that meet there, sorted, each once.
 std::vector<std::vector<Index>> surfacesOfCurves(const SurfaceModel& model);
 
 } // namespace atria

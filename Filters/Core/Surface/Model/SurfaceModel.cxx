@@ -15,7 +15,7 @@ namespace atria {
 
 namespace {
 
-/// Puts coordinates that are within `distance` of a domain plane on it, so that what lies on a side does so exactly.
+/// Puts coordinates within `distance` of a domain plane on it, so that points on a side lie there exactly.
 void snapToSides(std::vector<LatticePoint>& points, const GridFrame& frame, std::int64_t distance)
 {
   for (LatticePoint& p : points)
@@ -53,7 +53,8 @@ bool hasArea(const TriangleSoup& soup, const std::array<Index, 3>& t)
   return normal.n[0] != 0 || normal.n[1] != 0 || normal.n[2] != 0;
 }
 
-/// Places whose points became one with a point at another place; points repeated in one place are no fault.
+/// Returns the number of places whose points were merged with a point at another place. Points repeated in one place
+/// are no fault.
 std::size_t countWelded(const std::vector<LatticePoint>& points, const std::vector<Index>& pointOf)
 {
   std::vector<LatticePoint> left;
@@ -68,7 +69,7 @@ std::size_t countWelded(const std::vector<LatticePoint>& points, const std::vect
   return static_cast<std::size_t>(std::unique(left.begin(), left.end()) - left.begin());
 }
 
-/// The triangles on the lattice, without those that have no area.
+/// Returns the triangles on the lattice, without those that have no area.
 TriangleSoup weldedSoup(const TriangleSurface& surface, const GridFrame& frame, std::int64_t weldDistance,
                         std::int64_t sideDistance, SurfaceRepairReport& report)
 {

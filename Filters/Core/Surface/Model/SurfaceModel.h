@@ -34,10 +34,10 @@ struct FeatureEdge
 struct FeatureCurve
 {
   CurveKind kind;
-  /// The charts that meet there, sorted, one entry for each triangle: a chart that goes on across the curve is there
+  /// The charts that meet there, sorted, one entry for each triangle: a chart that goes on across the curve is listed
   /// twice.
   std::vector<Index> charts;
-  /// Those of them that end there: the ones with an odd number of entries. Empty for a fold within a chart.
+  /// The charts that end there, which have an odd number of entries. Empty for a fold within a chart.
   std::vector<Index> ending;
 };
 
@@ -59,24 +59,25 @@ struct SurfaceModel
   /// Points where curves end, meet or turn sharply.
   std::vector<Index> corners;
   std::vector<std::string> names;
-  /// Per surface; empty where all are walls.
+  /// One entry per surface; empty if all are walls.
   std::vector<SurfaceKind> kinds;
-  /// Of the surfaces that are openings found by rule, the last of `names`: the one each is an opening of.
+  /// One entry for each surface that is an opening found by rule: the surface it is an opening of. These surfaces are
+  /// the last of `names`.
   std::vector<Index> walls;
 
-  /// What of the model was changed.
+  /// Report on the changes to the model.
   SurfaceRepairReport repair;
-  /// As FeatureOptions::featureAngle.
+  /// Same as FeatureOptions::featureAngle.
   double featureAngle = 30.0;
 
-  /// Whether a triangle is a side of a domain that stands turned in the grid (see TurnedSides.h).
+  /// True if a triangle is a side of a domain that stands turned in the grid (see TurnedSides.h).
   bool isTurnedSide(Index triangle) const { return surfaceIds[triangle] >= names.size(); }
-  /// A triangle on a side of the domain names it, whatever its kind.
+  /// Returns the kind of a triangle's surface. A triangle on a side of the domain names it, whatever its kind.
   SurfaceKind kindOf(Index triangle) const
   {
     return kinds.empty() || isTurnedSide(triangle) ? SurfaceKind::wall : kinds[surfaceIds[triangle]];
   }
-  /// The surface that one is an opening of; itself where it was drawn.
+  /// Returns the surface that an opening belongs to; the surface itself if it was drawn.
   Index wallOf(Index surface) const
   {
     const std::size_t drawn = names.size() - walls.size();
@@ -85,7 +86,7 @@ struct SurfaceModel
   bool isPermeable(Index triangle) const { return kindOf(triangle) != SurfaceKind::wall; }
   CurveKind kindOf(const FeatureEdge& edge) const { return curves[edge.curve].kind; }
   const LatticePoint& corner(Index triangle, int i) const { return points[triangles[triangle][i]]; }
-  /// Of a triangle, in lattice units.
+  /// Returns the bounds of a triangle, in lattice units.
   Box3 bounds(Index triangle) const
   {
     Box3 box;
@@ -95,7 +96,7 @@ struct SurfaceModel
     }
     return box;
   }
-  /// Twice the triangle's area vector, in lattice units.
+  /// Returns twice the triangle's area vector, in lattice units.
   Vec3 normal(Index triangle) const;
 };
 
@@ -103,7 +104,7 @@ struct FeatureOptions
 {
   /// Degrees between normals (creases) or tangents (corners) above which they are kept.
   double featureAngle = 30.0;
-  /// Points closer than this (model units) are one.
+  /// Points closer than this (model units) are merged.
   double weldDistance = 1e-5;
   /// Triangles with all points closer than this to a domain plane lie on that side.
   double sideDistance = 1e-4;
@@ -112,18 +113,18 @@ struct FeatureOptions
   /// Parts of the model with a bounding box of a shorter diagonal, in octants at features, are left out; 0 leaves out
   /// none. See findSmallParts.
   double smallPartSize = 0.0;
-  /// Surfaces, by number, of which no part is left out; those beyond its end may be.
+  /// One flag per surface: nonzero if none of its parts is left out. Surfaces beyond the end may lose parts.
   std::vector<char> keptSurfaces;
-  /// As SurfaceModel::kinds.
+  /// Same as SurfaceModel::kinds.
   std::vector<SurfaceKind> kinds;
-  /// Where octants are finer than at features elsewhere.
+  /// Places where octants are finer than those at features.
   std::vector<FinerPlace> finerPlaces;
 };
 
-/// Puts a surface on the lattice: welds points, drops triangles without area and repeated ones (whatever their winding;
-/// FacePrecedence says which stays), leaves out small parts, makes the model sound (repairSurface), finds what lies on
-/// the domain's sides, charts, curves and corners. Edges of the domain box are not features: the mesh has them anyway.
-/// The result does not depend on threads. Throws Aborted on demand.
+/// Returns a surface on the lattice. Welds points, drops triangles without area and repeated ones (whatever their
+/// winding; FacePrecedence says which stays), leaves out small parts and makes the model sound (repairSurface). Then
+/// finds triangles on the domain's sides, charts, curves and corners. Edges of the domain box are not features: the
+/// mesh has them anyway. The result does not depend on threads. Throws Aborted on demand.
 SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& frame, const FeatureOptions& options,
                               const RunContext& context);
 

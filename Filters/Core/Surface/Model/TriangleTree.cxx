@@ -13,14 +13,14 @@ namespace atria {
 
 namespace {
 
-/// The ray's parameter where it enters the box; infinity where it misses it before `farthest`.
+/// Returns the ray's parameter where it enters the box; infinity if it misses the box before `farthest`.
 double entry(const Box3& box, const Vec3& origin, const Vec3& direction, double farthest)
 {
   const SegmentRange range = clipLine(box.min - origin, box.max - origin, direction, farthest);
   return range.empty() ? std::numeric_limits<double>::infinity() : range.begin;
 }
 
-/// Möller and Trumbore 1997; edges count.
+/// Returns the ray's parameter at the triangle (Möller and Trumbore 1997), or infinity. Edges count.
 double rayParameter(const Vec3& origin, const Vec3& direction, const Vec3& a, const Vec3& b, const Vec3& c)
 {
   constexpr double none = std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Rays, boxes and points against all triangles of a model.
+/// Tests rays, boxes and points against all triangles of a model.
 #pragma once
 
 #include "Surface/Model/SurfaceModel.h"
@@ -12,7 +12,7 @@
 
 namespace atria {
 
-/// A tree of bounding boxes over the triangles, in flat arrays: 36 bytes a triangle.
+/// A tree of bounding boxes over the triangles, in flat arrays: 36 bytes per triangle.
 class TriangleTree
 {
 public:
@@ -24,37 +24,37 @@ public:
     Index triangle = noIndex;
   };
 
-  /// The nearest triangle that the ray from `origin` along the unit vector `direction` meets at a distance in (nearest,
-  /// farthest), all in lattice units.
+  /// Returns the nearest triangle that the ray from `origin` along the unit vector `direction` meets at a distance in
+  /// (nearest, farthest), all in lattice units.
   Hit firstHit(const Vec3& origin, const Vec3& direction, double nearest, double farthest) const;
 
-  /// The triangles whose bounds touch the box; sorted.
+  /// Returns the triangles whose bounds touch the box, sorted.
   std::vector<Index> touching(const LatticeBox& box) const;
 
-  /// The point of a triangle nearest to p.
+  /// Returns the point of a triangle nearest to p.
   Vec3 nearestOn(Index triangle, const Vec3& p) const;
 
-  /// A point of a triangle, and how far away it is.
+  /// A point of a triangle, with its squared distance.
   struct Place
   {
     double squaredDistance;
     Index triangle;
     Vec3 at;
 
-    /// By distance, and of equal ones by triangle.
+    /// Compares by distance, and equal distances by triangle.
     bool isNearerThan(const Place& other) const
     {
       return std::tie(squaredDistance, triangle) < std::tie(other.squaredDistance, other.triangle);
     }
   };
 
-  /// What a search for the nearest place takes: anything. Others hide what they restrict.
+  /// Rule of a search for the nearest place that takes any place. Other rules hide the functions that they restrict.
   struct AnyPlace
   {
-    /// False for a box that holds nothing to take.
+    /// Returns false for a box that holds no place to take.
     bool reaches(const Box3&) const { return true; }
     bool wants(Index) const { return true; }
-    /// Asked of places that are nearer than what is taken so far: the nearest of each triangle.
+    /// Called for the nearest place of each triangle, if it is nearer than the best one so far.
     bool takes(const Place&) const { return true; }
   };
   template <typename IsWanted> struct AnyPlaceOn : AnyPlace
@@ -64,8 +64,8 @@ public:
     bool wants(Index triangle) const { return isWanted(triangle); }
   };
 
-  /// The nearest to p of all places that the rule takes and that are no farther than `farthest`, in lattice units. Each
-  /// triangle has one, its point nearest to p.
+  /// Returns the place nearest to p of all that the rule takes and that are no farther than `farthest`, in lattice
+  /// units. Each triangle has one place: its point nearest to p.
   template <typename Rule> std::optional<Place> nearest(const Vec3& p, double farthest, const Rule& rule) const;
 
 private:
@@ -95,7 +95,7 @@ template <typename Rule>
 std::optional<TriangleTree::Place> TriangleTree::nearest(const Vec3& p, double farthest, const Rule& rule) const
 {
   Place best{farthest * farthest, noIndex, p};
-  // Nodes with a lower bound of their squared distance; the nearer child is looked at first.
+  // Nodes with a lower bound of their squared distance; the nearer child is visited first.
   std::vector<std::pair<double, Index>> open;
   const auto add = [&](double distance, Index id) {
     if (distance <= best.squaredDistance && rule.reaches(nodes_[id].box))
@@ -142,7 +142,7 @@ std::optional<TriangleTree::Place> TriangleTree::nearest(const Vec3& p, double f
   return best.triangle == noIndex ? std::nullopt : std::optional(best);
 }
 
-/// A tree that is built when it is first asked for, by any number of threads.
+/// A tree that is built when it is first requested, by any number of threads.
 class TriangleTreeOnDemand
 {
 public:

@@ -17,9 +17,10 @@ namespace atria {
 
 namespace {
 
-/// Of the border of an opening, what is within rounding of ends of walls to be all of it.
+/// Part of an opening's border that ends of walls must be to count as all of it, within rounding.
 constexpr double allOfIt = 0.98;
-/// Of the border of a door, ends of walls, and with them walls that stand up to it: less has each table in a room.
+/// Least part of a door's border that ends of walls must be, and the least part with the walls that stand up to it. A
+/// table in a room has less.
 constexpr double leastEnds = 0.25;
 constexpr double leastUpright = 0.5;
 
@@ -29,11 +30,11 @@ struct Candidate
   double area = 0.0;
   Vec3 normal;
   Vec3 center;
-  /// The charts that go back from its border, sorted.
+  /// Charts that go back from its border, sorted.
   std::vector<Index> reveals;
 };
 
-/// The ends of each chain of boundary edges of a plane's walls, if it has two.
+/// Returns the ends of each chain of boundary edges of a plane's walls, if it has two.
 std::vector<EdgeKey> chainEnds(const WallPlane& plane, const SectionSource& source)
 {
   std::map<Index, std::vector<Index>> next;
@@ -67,8 +68,8 @@ std::vector<EdgeKey> chainEnds(const WallPlane& plane, const SectionSource& sour
   return ends;
 }
 
-/// Per plane, lines that close openings round a corner: chains of boundary edges in two planes that end in the same
-/// points.
+/// Returns, per plane, lines that close openings around a corner: chains of boundary edges in two planes that end in
+/// the same points.
 std::vector<std::vector<EdgeKey>> cornerLines(const std::vector<WallPlane>& planes, const SectionSource& source)
 {
   std::map<EdgeKey, std::vector<std::size_t>> planesOf;
@@ -90,7 +91,7 @@ std::vector<std::vector<EdgeKey>> cornerLines(const std::vector<WallPlane>& plan
   return lines;
 }
 
-/// A region of a section: its triangles, its border, and what of this are ends of walls.
+/// Judges regions of a section by their triangles, their border, and the ends of walls along it.
 class RegionJudge
 {
 public:
@@ -188,7 +189,7 @@ private:
     return a + std::clamp(share, 0.0, 1.0) * along;
   }
 
-  /// Of the largest circle about one of the triangles' centroids or the middles of edges between them.
+  /// Returns the width of the largest circle around a centroid of the triangles or a middle of an edge between them.
   double widthOf(Index region) const
   {
     double most = 0.0;
@@ -262,9 +263,9 @@ private:
   const SurfaceModel& model;
   const OpeningOptions& options;
   std::vector<std::vector<std::size_t>> trianglesOf;
-  /// By directed edge the region of the triangle that runs along it.
+  /// Maps a directed edge to the region of the triangle that runs along it.
   std::map<std::array<Index, 2>, Index> regionBeyond;
-  /// Of the region looked at.
+  /// Border of the current region.
   std::vector<std::array<Index, 2>> border;
   double area = 0.0;
   double length = 0.0;
@@ -275,7 +276,7 @@ private:
   std::vector<Index> reveals;
 };
 
-/// Whether two openings are those at both ends of one reveal, or as near to each other as if they were.
+/// True if two openings are at both ends of one reveal, or as near to each other as if they were.
 bool areOne(const Candidate& a, const Candidate& b, double near)
 {
   constexpr double parallel = 0.99; // cosine: both ends of one reveal, as walls are drawn
@@ -289,7 +290,7 @@ bool areOne(const Candidate& a, const Candidate& b, double near)
   return isOver && (apart < near || shared());
 }
 
-/// Keeps the smallest of those that are one, the first of equal ones.
+/// Keeps the smallest of openings that are one, and the first of equal ones.
 void dropRepeated(std::vector<Candidate>& candidates, double near)
 {
   std::ranges::stable_sort(candidates, {}, &Candidate::area);

@@ -91,7 +91,8 @@ private:
     return at->second;
   }
 
-  /// Where an edge of the model passes through the plane; the same for all triangles that have it.
+  /// Returns the point where an edge of the model passes through the plane. It is the same for all triangles of the
+  /// edge.
   Index pointOf(EdgeKey edge)
   {
     const auto [at, isNew] = ofEdge.try_emplace(edge, noIndex);
@@ -106,7 +107,7 @@ private:
     return at->second;
   }
 
-  /// Walls end at edges that one triangle of the plane has, if all others there go back from it.
+  /// Finds the ends of walls: edges that one triangle of the plane has, if all others there go back from it.
   void findEnds()
   {
     for (const Index t : plane.triangles)
@@ -175,7 +176,7 @@ private:
     const double reach = 0.5 * (plane.bounds.max - plane.bounds.min).norm();
     for (int axis = 0; axis < 3; ++axis)
     {
-      // Of the directions in the plane, as much as they go along the axis.
+      // Extent along the axis of a circle of radius `reach` in the plane.
       const double along = reach * std::hypot(plane.u[axis], plane.v[axis]) + source.distance;
       box.low[axis] = static_cast<std::int64_t>(std::floor(plane.bounds.min[axis] - along));
       box.high[axis] = static_cast<std::int64_t>(std::ceil(plane.bounds.max[axis] + along));
@@ -192,7 +193,7 @@ private:
     }
   }
 
-  /// The segment in which a triangle meets the plane, if any.
+  /// Adds the segment in which a triangle meets the plane, if any.
   void addCut(Index t)
   {
     const auto& corners = model.triangles[t];
@@ -221,7 +222,7 @@ private:
     }
   }
 
-  /// The lines in which the domain's bottom, or all of its sides, cut the plane.
+  /// Adds the lines in which the domain's bottom, or all of its sides, cut the plane.
   void addSides()
   {
     const GridFrame& frame = source.frame;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Divides the plane of a wall by the model's parts in it and across it.
 #pragma once
 
 #include "Surface/Openings/WallPlanes.h"
@@ -9,7 +10,7 @@
 
 namespace atria {
 
-/// What the section of a model is made of, for all planes.
+/// Data for the sections of a model, shared by all planes.
 struct SectionSource
 {
   SectionSource(const SurfaceModel& model, const GridFrame& frame, bool sidesAreWalls, double distance,
@@ -31,23 +32,23 @@ struct WallEnd
   Vec2 from;
   Vec2 to;
   Index triangle;
-  /// The charts that go back from there.
+  /// Charts that go back from there.
   std::vector<Index> reveals;
 };
 
-/// A plane, parted by what of the model is in it and passes through it.
+/// A plane, divided by the parts of the model that lie in it or pass through it.
 struct PlaneSection
 {
   PlanarTriangulation parted;
-  /// Lattice points of the first points of `parted`, as far as the model has them there.
+  /// Lattice points of the first points of `parted`, if the model has points there.
   std::vector<LatticePoint> corners;
-  /// Per region: whether a wall of the plane covers it.
+  /// One flag per region: nonzero if a wall of the plane covers it.
   std::vector<char> covered;
   std::vector<WallEnd> ends;
 };
 
-/// Without a triangulation where the walls have no ends, and so no openings. `lines` between points of the model close
-/// openings as walls would.
+/// Returns the section at a plane. It has no triangulation if the walls have no ends, and so no openings. `lines`
+/// between points of the model close openings as walls would.
 PlaneSection sectionAt(const WallPlane& plane, std::span<const EdgeKey> lines, const SectionSource& source);
 
 } // namespace atria

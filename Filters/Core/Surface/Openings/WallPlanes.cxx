@@ -55,13 +55,13 @@ std::vector<std::vector<Index>> trianglesOfCharts(const SurfaceModel& model)
   return charts;
 }
 
-/// Planes by their normals, roughly, whichever way they point.
+/// Planes binned roughly by their normals, whichever way they point.
 class PlanesByNormal
 {
 public:
   explicit PlanesByNormal(std::vector<WallPlane>& found) : planes(found) {}
 
-  /// The plane in which a chart lies; planes.size() if none does.
+  /// Returns the plane in which a chart lies; planes.size() if there is none.
   std::size_t find(const SurfaceModel& model, const std::vector<Index>& chart, const Vec3& normal,
                    double distance) const
   {
@@ -91,7 +91,7 @@ private:
   using Key = std::array<std::int64_t, 3>;
   static Key keyOf(const Vec3& normal)
   {
-    constexpr double steps = 200.0; // charts of one plane differ by less than one, for all that rounding turns them
+    constexpr double steps = 200.0; // charts of one plane differ by less than one step, even after rounding
     return {std::llround(steps * normal[0]), std::llround(steps * normal[1]), std::llround(steps * normal[2])};
   }
 
@@ -119,7 +119,7 @@ std::vector<WallPlane> findWallPlanes(const SurfaceModel& model, double distance
       charts.push_back({largest, areaOf(largest), std::move(triangles)});
     }
   }
-  // The largest triangle tells best where its plane is.
+  // The largest triangle gives the plane most precisely.
   std::ranges::stable_sort(charts, std::ranges::greater(), &Chart::area);
   std::vector<WallPlane> planes;
   PlanesByNormal known(planes);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds the planes in which plane walls of a model lie.
 #pragma once
 
 #include "Surface/Model/SurfaceModel.h"
 
 namespace atria {
 
-/// Plane charts that lie in one plane. Places in it are by two coordinates, counter-clockwise where the normal points.
+/// Plane charts that lie in one plane. Places in it have two coordinates, counterclockwise seen from the side the
+/// normal points to.
 struct WallPlane
 {
   Vec3 origin;
@@ -22,8 +24,8 @@ struct WallPlane
   Vec3 pointAt(const Eigen::Vector2d& place) const { return origin + place[0] * u + place[1] * v; }
 };
 
-/// All points of a plane's triangles are within `distance` (lattice units) of it. Charts that are not plane, and those
-/// on sides of the domain, are in none.
+/// Returns the planes of walls. All points of a plane's triangles are within `distance` (lattice units) of it. Charts
+/// that are not plane, and those on sides of the domain, are in none.
 std::vector<WallPlane> findWallPlanes(const SurfaceModel& model, double distance);
 
 } // namespace atria

@@ -19,7 +19,7 @@ namespace atria {
 
 namespace {
 
-/// Keeps the triangles that `keep` accepts, and what goes with them.
+/// Keeps the triangles that `keep` accepts, and their entries in all lists.
 template <typename Predicate> void filter(TriangleSoup& soup, std::vector<Change>* changes, const Predicate& keep)
 {
   std::size_t size = 0;
@@ -66,7 +66,7 @@ void markRepeated(const TriangleSoup& soup, std::span<const std::pair<std::array
   }
 }
 
-/// Where changes are known, only what changed can be the same as others.
+/// Returns the number of dropped triangles. If changes are known, only changed triangles can repeat others.
 std::size_t dropRepeated(TriangleSoup& soup, std::vector<Change>* changes, Overlaps* overlaps)
 {
   filter(soup, changes, [](const auto& t) { return !hasRepeatedPoint(t); });
@@ -106,7 +106,7 @@ std::size_t dropRepeated(TriangleSoup& soup, std::vector<Change>* changes, Overl
   return before - soup.triangles.size();
 }
 
-/// Every point becomes what the list says. Triangles with one that did moved.
+/// Replaces every point as the list says. Triangles with a replaced point count as moved.
 void replacePoints(TriangleSoup& soup, const std::vector<Index>& became, std::vector<Change>& changes)
 {
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
@@ -119,7 +119,8 @@ void replacePoints(TriangleSoup& soup, const std::vector<Index>& became, std::ve
   }
 }
 
-/// For each point what it becomes where, of the points given, those closer than the distance become one.
+/// Returns, for each point, the point that replaces it if those of the given points that are closer than the distance
+/// are merged.
 std::vector<Index> weldSome(const TriangleSoup& soup, std::vector<Index> some, std::int64_t distance)
 {
   sortUnique(some);
@@ -153,7 +154,7 @@ void renumber(std::set<EdgeKey>& edges, const std::vector<Index>& became)
   edges.insert(moved.begin(), moved.end());
 }
 
-/// Appends the new points, except those that fall together with one there is; contacts that say nothing new then are
+/// Appends the new points, except those that merge with an existing one. Contacts that say nothing new then are
 /// dropped.
 void addNewPoints(TriangleSoup& soup, Contacts& contacts, PointWelder& welder)
 {
@@ -212,7 +213,7 @@ std::size_t countEdges(const TriangleSoup& soup, const std::set<EdgeKey>& edges)
   return found.size();
 }
 
-/// All points that contacts name.
+/// Returns all points that contacts name.
 std::vector<Index> pointsOf(const TriangleSoup& soup, const Contacts& contacts)
 {
   std::vector<Index> points;
@@ -228,14 +229,15 @@ std::vector<Index> pointsOf(const TriangleSoup& soup, const Contacts& contacts)
   return points;
 }
 
-/// From the second round on points at contacts become one within a distance that grows by this factor: what rounding
-/// makes anew in every round lies a few lattice units apart, and what is left after three rounds is folded.
+/// Factor by which the distance grows within which points at contacts are merged, from the second round on. Contacts
+/// that rounding makes anew in every round lie a few lattice units apart, and those left after three rounds are folded.
 constexpr std::int64_t loosening = 16;
-/// Where a triangle's contacts grow by this in two rounds meanwhile, that will not mend it: with more, places that hold
-/// on to all others take as long as all else.
+/// Growth of a triangle's contacts in two rounds from which on it is left, while that distance still grows: further
+/// rounds do not mend it. With a larger factor, places where all triangles touch all others take as long as the whole
+/// rest.
 constexpr std::int64_t hopelessGrowth = 4;
 
-/// Cuts in rounds until nothing is found but contacts of triangles that are left.
+/// Cuts in rounds until no contacts are found but those of triangles that are left.
 class Rounds
 {
 public:
@@ -255,7 +257,7 @@ public:
       const bool isLast = round == options.maximumRounds;
       Contacts contacts = isLast ? find(changes).sorted(soup) : findHopeful(changes);
       const std::size_t found = contacts.edges.size() + contacts.faces.size();
-      // Slivers with a corner on their own edge may stay that.
+      // Slivers with a corner on their own edge may stay slivers.
       if (isLast || found == 0 || (contacts.pairs.empty() && found >= foundBefore))
       {
         report.unresolvedContacts = found;
@@ -282,7 +284,7 @@ private:
     });
   }
 
-  /// Once hopeless triangles are left, and tangled ones hidden.
+  /// Returns the contacts after hopeless triangles were left and tangled ones hidden.
   Contacts findHopeful(const std::vector<Change>& changes)
   {
     const FoundContacts found = find(changes);
@@ -293,8 +295,8 @@ private:
     return hideTangles(soup, contacts.pairs, clusters) ? find(changes).sorted(soup) : contacts;
   }
 
-  /// Leaves triangles whose contacts grew much in two rounds, or are no fewer where the distance in which points become
-  /// one does not grow any more.
+  /// Leaves triangles whose contacts grew much in two rounds, or did not become fewer after the merging distance
+  /// stopped growing.
   void leaveHopeless(const std::vector<FoundContacts::Pair>& pairs)
   {
     std::vector<Index> counts(report.isLeft.size(), 0);
@@ -312,7 +314,7 @@ private:
     countsBefore = {std::move(countsBefore[1]), std::move(counts)};
   }
 
-  /// Points close to each other become one, and triangles that are there no longer or twice are dropped.
+  /// Merges points close to each other, and drops triangles that vanished or are repeated.
   void tidy(std::vector<Change>& changes, bool isFirst)
   {
     const std::size_t usedBefore = isFirst ? countUsed(soup) : 0;
@@ -334,7 +336,7 @@ private:
     report.overlappingTriangles += dropRepeated(soup, &changes, options.overlaps);
   }
 
-  /// For each point what it becomes; empty where none was added since points were asked about last.
+  /// Returns, for each point, the point that replaces it; empty if no point was added since the last call.
   std::vector<Index> weldRest()
   {
     const std::vector<Index> rest = welder.addRest();
@@ -358,13 +360,14 @@ private:
   TriangleSoup& soup;
   const AutorefineOptions& options;
   ClusterCells& clusters;
-  /// Within this, points at contacts that cuts do not get rid of become one.
+  /// Distance within which points at contacts that cuts do not remove are merged.
   std::int64_t width;
-  /// Of all points.
+  /// Merges points within `width` as it was at first.
   PointWelder welder;
   std::vector<Index> knots;
-  MetSources met; ///< in all rounds so far
-  /// Of the two rounds before, by source the pairs of touching triangles that it has pieces in.
+  MetSources met; ///< pairs of sources that met in all rounds so far
+  /// One list for each of the two rounds before, with one entry per source: the pairs of touching triangles that its
+  /// pieces are in.
   std::array<std::vector<Index>, 2> countsBefore;
   AutorefineReport& report;
   const RunContext& context;

@@ -23,7 +23,7 @@ LatticeBox boxOfOctant(const GridFrame& frame, int level, MortonKey key)
   return box;
 }
 
-/// Walks down from the root to where there are few pieces, or octants end.
+/// Walks down from the root until octants hold few pieces or are smallest.
 class ClusterSearch
 {
 public:

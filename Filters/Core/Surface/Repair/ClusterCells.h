@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds the octants in which a model is too fine for the mesh to show.
 #pragma once
 
 #include "Grid/Morton.h"
@@ -11,8 +12,9 @@
 
 namespace atria {
 
-/// An octant has eight corners, so its edges tell apart eight regions at most. Of more smooth pieces than this in it,
-/// it can show neither sheets nor curves one by one, only which of its edges they cut: it is a cluster.
+/// Largest number of smooth pieces in an octant that is not a cluster. The edges between its eight corners tell apart
+/// eight regions at most. With more pieces it can show neither sheets nor curves one by one, only which of its edges
+/// they cut.
 inline constexpr std::size_t mostPiecesOfOctant = 8;
 
 /// A place where octants are finer than those at features.
@@ -29,24 +31,24 @@ struct ClusterOptions
   std::vector<FinerPlace> finerPlaces;
 };
 
-/// Octants of the size at features that a model is a cluster in, before it is repaired: foliage, railings, books. What
-/// lies in them is neither cut nor moved, as the mesh would not show it. O(n log n).
+/// Octants of the size at features in which a model is a cluster before it is repaired: foliage, railings, books.
+/// Triangles in them are neither cut nor moved, as the mesh would not show it. O(n log n).
 class ClusterCells
 {
 public:
-  /// None.
+  /// No clusters.
   ClusterCells() = default;
-  /// `pieces` says per triangle which smooth piece it is of.
+  /// `pieces` has one entry per triangle: the smooth piece it belongs to.
   ClusterCells(const TriangleSoup& soup, const std::vector<Index>& pieces, const GridFrame& frame,
                const ClusterOptions& options, const RunContext& context);
 
-  /// Of the smallest octants at features.
+  /// Level of the smallest octants at features.
   int finestLevel() const { return finestLevel_; }
-  /// Whether a triangle of the input lies in clusters, or outside of the root octant, wherever it is.
+  /// True if a triangle of the input was hidden, or if all of it lies in clusters or outside of the root octant.
   bool isHidden(Index source) const { return source < isSeen_.size() && !isSeen_[source]; }
-  /// Hides another one.
+  /// Hides another triangle of the input.
   void hide(Index source);
-  /// Whether a box lies in clusters; false for boxes longer than an octant.
+  /// True if a box lies in clusters; false for boxes longer than an octant.
   bool hold(const LatticeBox& box) const;
   bool hold(const LatticePoint& p) const { return hold(LatticeBox{p, p}); }
 
@@ -55,11 +57,12 @@ private:
   int finestLevel_ = 0;
   /// Keys of the clusters, by level from that of features on.
   std::vector<std::unordered_set<MortonKey>> keys_;
-  /// Per triangle of the input, whether some of it lies outside of clusters, and it was not hidden since.
+  /// One flag per triangle of the input: nonzero if some of it lies outside of clusters and it was not hidden since.
   std::vector<char> isSeen_;
 };
 
-/// The triangles of a soup that are not hidden in clusters; it may have been cut since these were found.
+/// Returns the triangles of a soup that are not hidden in clusters. The soup may have been cut since the clusters were
+/// found.
 std::vector<Index> seenTriangles(const TriangleSoup& soup, const ClusterCells& clusters, const RunContext& context);
 
 } // namespace atria

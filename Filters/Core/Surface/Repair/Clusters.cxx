@@ -10,10 +10,10 @@ namespace atria {
 
 namespace {
 
-/// Of triangles that meet, as boundOfTriples has it: about the pieces they are cut into.
+/// Largest number of meetings of three triangles by boundOfTriples(): about the number of pieces they are cut into.
 constexpr std::size_t mostTriples = 5'000'000;
 
-/// How many boxes each box touches among every `step`th of them; empty where these are more than `limit` in all.
+/// Returns, per box, how many it touches among every `step`th box; empty if these are more than `limit` in all.
 std::vector<std::size_t> countTouching(const std::vector<NumberedBox>& boxes, std::size_t triangles, std::size_t step,
                                        std::size_t limit, const RunContext& context)
 {
@@ -61,7 +61,7 @@ void leaveOutDearest(const std::vector<std::size_t>& costs, std::size_t limit, s
   }
 }
 
-/// Whether any was marked.
+/// Hides the sources of marked triangles. Returns true if any was marked.
 bool hide(const TriangleSoup& soup, const std::vector<char>& isOut, ClusterCells& clusters)
 {
   for (Index t = 0; t < isOut.size(); ++t)
@@ -98,7 +98,7 @@ std::vector<char> findClusters(const TriangleSoup& soup, std::int64_t margin, st
                                const RunContext& context, std::vector<char> isOut)
 {
   isOut.resize(soup.triangles.size(), 0);
-  for (std::size_t allowed = limit;; allowed /= 2) // lower still where a sample did not show enough
+  for (std::size_t allowed = limit;; allowed /= 2) // lower still if a sample did not show enough
   {
     std::vector<NumberedBox> boxes;
     for (Index t = 0; t < soup.triangles.size(); ++t)
@@ -108,8 +108,8 @@ std::vector<char> findClusters(const TriangleSoup& soup, std::int64_t margin, st
         boxes.push_back(boxOf(soup, t, margin));
       }
     }
-    // Pairs are seen from both sides. A sample is counted where all would be too many: every second box, or every
-    // second of these.
+    // Pairs are seen from both sides. If all would be too many, a sample is counted: every second box, or every second
+    // of these.
     std::size_t step = 1;
     std::vector<std::size_t> counts = countTouching(boxes, isOut.size(), step, 2 * limit, context);
     while (counts.empty() && !boxes.empty())
@@ -124,7 +124,7 @@ std::vector<char> findClusters(const TriangleSoup& soup, std::int64_t margin, st
     }
     if (allowed == 0)
     {
-      // Not even among those that the samples saw: the later half goes.
+      // The samples do not show enough even now: the later half goes.
       std::for_each(boxes.begin() + static_cast<std::ptrdiff_t>(boxes.size() / 2), boxes.end(),
                     [&](const NumberedBox& box) { isOut[box.id] = 1; });
       continue;

@@ -170,7 +170,8 @@ Index ContactFinder::addPoint(const LatticePoint& p)
 
 bool ContactFinder::isSteep(Index t, int i, const PlaneSides& side) const
 {
-  // At a smaller angle all edges near the line in which the planes meet are close, and cuts would make ever new ones.
+  // At a smaller angle all edges near the line in which the planes meet are close, and cuts would make ever more of
+  // them.
   constexpr double slope = 0.02;
   const double rise = side.distance(i) - side.distance((i + 1) % 3);
   return std::abs(rise) > slope * between(soup.corner(t, i), soup.corner(t, (i + 1) % 3)).norm();
@@ -182,7 +183,7 @@ void ContactFinder::cutEdges(Index first, Index second, const PlaneSides& a, con
   {
     for (int j = 0; j < 3; ++j)
     {
-      // The same two edges cut each other in the same point, whichever triangles are looked at.
+      // The same two edges cut each other in the same point, whichever triangles are tested.
       const EdgeKey e = edgeKey(soup.triangles[first], i);
       const EdgeKey f = edgeKey(soup.triangles[second], j);
       const bool isFlat = !isSteep(first, i, a) && !isSteep(second, j, b);

@@ -15,22 +15,22 @@ namespace atria {
 
 namespace {
 
-/// The search among some of the triangles.
+/// A search among some of the triangles.
 struct Search
 {
   ContactFinder finder;
-  /// Pairs to look at once it is known that there are not too many.
+  /// Pairs to test once it is known that there are not too many.
   std::vector<std::pair<Index, Index>> later;
 };
 
-/// Looks at pairs as they are met: of those in the tree, and of the others with them. Where boxes cluster pairs are
-/// counted first, as looking at them takes far longer.
+/// Tests pairs of boxes in the tree, and pairs of the others with these, as they are met. Pairs are counted first where
+/// boxes cluster, as testing them takes far longer.
 std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree,
                                    const std::vector<NumberedBox>& others, const AskedPairs& asked, double reach,
                                    const ClusterCells& clusters, const RunContext& context)
 {
   const std::size_t count = tree.size() + others.size();
-  // Of few triangles many are near each other: pieces are small then, so that there are some for all threads.
+  // If there are few triangles, many are near each other. Pieces are small then, so that all threads get some.
   const std::size_t grain = std::clamp<std::size_t>(count / 128, 8, 1024);
   constexpr std::size_t manyEach = 200;
   std::vector<Search> searches((count + grain - 1) / grain, Search{ContactFinder(soup, reach), {}});
@@ -87,7 +87,7 @@ std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree
   return searches;
 }
 
-/// The boxes of those triangles that may touch what a raster is of.
+/// Returns the boxes of those triangles that may touch the boxes of a raster.
 std::vector<NumberedBox> boxesAt(const BoxRaster& raster, const TriangleSoup& soup, const std::vector<Index>& triangles,
                                  std::int64_t reach, const RunContext& context)
 {
@@ -103,7 +103,7 @@ bool areLeft(const TriangleSoup& soup, const FoundContacts::Pair& pair, const st
   return !isLeft.empty() && isLeft[soup.sources[pair.first]] && isLeft[soup.sources[pair.second]];
 }
 
-/// Equal points become one, numbered by their coordinates: the order in which they were found does not matter.
+/// Merges equal points and numbers them by their coordinates: the order in which they were found does not matter.
 void numberNewPoints(Contacts& contacts, const std::vector<LatticePoint>& found, Index base)
 {
   std::vector<LatticePoint>& points = contacts.newPoints;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds the contacts of triangles in a soup.
 #pragma once
 
 #include "Support/RunContext.h"
@@ -23,13 +24,14 @@ struct FaceContact
   friend auto operator<=>(const FaceContact&, const FaceContact&) = default;
 };
 
-/// Marks the points at which an edge with points on it begins, so that triangles without any are passed over at once.
+/// Marks the points at which an edge with points on it begins, so that triangles without any are skipped at once.
 std::vector<char> beginsOfEdges(std::span<const EdgeContact> contacts, std::size_t pointCount);
 
-/// Where pieces of different triangles touch or cut each other other than along common edges and at common points.
+/// Contacts: places where pieces of different triangles touch or cut each other, other than along common edges and at
+/// common points.
 struct Contacts
 {
-  /// Points where edges cut edges or faces; contacts number them on from the points of the soup.
+  /// Points where edges cut edges or faces. Contacts number them after the points of the soup.
   std::vector<LatticePoint> newPoints;
   std::vector<EdgeContact> edges;
   std::vector<FaceContact> faces;
@@ -56,9 +58,9 @@ struct FoundContacts
   std::vector<FaceContact> faces;
   std::vector<Pair> pairs;
 
-  /// All but those of pairs of which the sources of both are in `isLeft`; sorted, without repeats.
+  /// Returns all contacts but those of pairs whose sources are both in `isLeft`; sorted, without repeats.
   Contacts sorted(const TriangleSoup& soup, const std::vector<char>& isLeft = {}) const;
-  /// How many these are.
+  /// Returns the number of contacts of pairs whose sources are both in `isLeft`, without repeats.
   std::size_t countLeft(const TriangleSoup& soup, const std::vector<char>& isLeft) const;
 
 private:
@@ -75,26 +77,26 @@ public:
   bool contains(Index a, Index b) const;
 
 private:
-  /// Sorted, the lower first; those of a lower one begin at begins_[it].
+  /// Sorted pairs, the lower source first. Pairs of a lower source begin at begins_[it].
   std::vector<std::pair<Index, Index>> pairs_;
   std::vector<Index> begins_;
 };
 
-/// What became of a triangle since contacts were looked for.
+/// Change of a triangle since contacts were last searched.
 enum class Change : char
 {
   none,
-  cut, ///< it is a piece of what was there
+  cut, ///< it is a piece of an earlier triangle
   moved
 };
 
-/// Which pairs of triangles to look at: those of which one moved, or one was cut and their sources have met. A piece
-/// lies in what it was cut from, so it meets nothing else.
+/// The pairs of triangles to test: pairs of which one moved, or one was cut and their sources have met. A piece lies in
+/// the triangle it was cut from, so it meets nothing else.
 struct AskedPairs
 {
   const std::vector<Change>& changes;
   const MetSources& met;
-  /// By source; not pairs of which both are. May be empty.
+  /// One flag per source. Pairs with both sources flagged are not tested. May be empty.
   const std::vector<char>& isLeft;
 
   bool contains(const TriangleSoup& soup, Index a, Index b) const
@@ -106,9 +108,9 @@ struct AskedPairs
   }
 };
 
-/// Finds all contacts of these pairs outside of clusters. A point within `reach` lattice units of an edge or a triangle
-/// lies on it. Sides are decided exactly, distances in double precision. Throws TooManyPairs (Clusters.h).
-/// O(n log n + pairs of triangles whose boxes touch).
+/// Returns all contacts of these pairs outside of clusters. A point within `reach` lattice units of an edge or a
+/// triangle lies on it. Sides are decided exactly, distances in double precision. Throws TooManyPairs (Clusters.h). O(n
+/// log n + pairs of triangles whose boxes touch).
 FoundContacts findContacts(const TriangleSoup& soup, const AskedPairs& asked, std::int64_t reach,
                            const ClusterCells& clusters, const RunContext& context);
 

@@ -24,15 +24,15 @@ namespace atria {
 
 namespace {
 
-/// A point or edge is preferred to the face up to this many times its distance. Where any in reach is, contacts that
-/// are left grow by a third in one model of others, by nine tenths in another.
+/// A point or edge is preferred to the face up to this many times its distance. If any in reach were preferred, the
+/// contacts left would grow by a third in one model, and by nine tenths in another.
 constexpr double sideways = 2.0;
 /// Details within this many tolerances are connected and are no gap.
 constexpr double detailReach = 3.0;
-/// Points of what was drawn with shorter edges than this many tolerances stay, as it could fold.
+/// Points of parts drawn with edges shorter than this many tolerances stay, as the parts could fold.
 constexpr double finestEdge = 2.0;
 
-/// One pass over a soup.
+/// Makes one pass over a soup.
 class GapCloser
 {
 public:
@@ -54,7 +54,7 @@ public:
     }
   }
 
-  /// Points that were moved.
+  /// Returns the points that were moved.
   std::vector<Index> run()
   {
     findPairs();
@@ -71,7 +71,7 @@ public:
   }
 
 private:
-  /// A point and the triangle it could be moved onto; sorted by what is to be done first.
+  /// A point and the triangle it could be moved onto; sorts by the order of moves.
   struct Gap
   {
     bool toLighter;
@@ -95,7 +95,7 @@ private:
 
   bool used(Index p) const { return !fans.of(p).empty(); }
   Index partOfTriangle(Index t) const { return parts[soup.sources[t]]; }
-  /// Whether no triangle at the point is of the triangle's part. Thousands of them may meet in a point.
+  /// True if no triangle at the point belongs to the triangle's part. Thousands of them may meet in a point.
   bool isForeign(Index p, Index t) const
   {
     const Index part = partOfTriangle(t);
@@ -106,14 +106,14 @@ private:
   }
   bool isOnBoundary(Index p) const { return !boundary.at(p).empty(); }
 
-  /// What a search among some of the points finds.
+  /// Result of a search among some of the points.
   struct Found
   {
     std::vector<Gap> gaps;
     std::vector<Gap> foreignGaps;
     /// Points with the parts they lie on without having a corner there.
     std::vector<std::pair<Index, Index>> touches;
-    /// The point looked at last for what is connected with it, and that.
+    /// The last point for which connected triangles were searched, and these triangles.
     Index hangingAt = noIndex;
     std::vector<Index> hanging;
   };
@@ -157,7 +157,8 @@ private:
     addForeignGaps(all);
   }
 
-  /// Points at boundary edges, and all where there are several parts; none of what is too fine.
+  /// Returns the points at boundary edges, or all points if there are several parts. Points of too fine parts or in
+  /// clusters are left out.
   std::vector<Index> movablePoints() const
   {
     const Index first = soup.triangles.empty() ? noIndex : partOfTriangle(0);
@@ -204,7 +205,8 @@ private:
     }
   }
 
-  /// What touches another part already is done, but for its boundary edges.
+  /// Adds the gaps to other parts. A point that touches the other part already needs no move, unless it is at a
+  /// boundary edge.
   void addForeignGaps(Found& found)
   {
     std::sort(found.touches.begin(), found.touches.end());
@@ -222,7 +224,7 @@ private:
     return std::ranges::any_of(boundary.at(p), leadsThere, BoundaryEdges::endOf);
   }
 
-  /// Whether a sheet that ends at the point would go on in this direction.
+  /// True if a sheet that ends at the point would go on in this direction.
   bool leadsOn(Index p, const Vec3& offset) const
   {
     const auto isOut = [&](const BoundaryEdges::End& end) {
@@ -236,14 +238,14 @@ private:
     return {between(soup.points[p], soup.corner(t, 0)), between(soup.points[p], soup.corner(t, 1)),
             between(soup.points[p], soup.corner(t, 2))};
   }
-  /// To the nearest point of the triangle.
+  /// Returns the offset from the point to the nearest point of the triangle.
   Vec3 offsetTo(Index p, Index t) const
   {
     const auto [a, b, c] = cornersFrom(p, t);
     return nearestOnTriangle(Vec3::Zero(), a, b, c);
   }
 
-  /// Where on the triangle the point belongs; nothing where it is too far or there already.
+  /// Returns the place on the triangle where the point belongs; nullopt if it is too far away or there already.
   std::optional<Target> targetOf(Index p, Index t) const
   {
     const Vec3 origin = Vec3::Zero();
@@ -283,7 +285,7 @@ private:
     return place;
   }
 
-  /// The triangles that can be reached from the point along edges that stay close to it, in order.
+  /// Returns the triangles that can be reached from the point along edges that stay close to it, in order.
   std::vector<Index> hangingTogether(Index p) const
   {
     const double reachSquared = detailReach * detailReach * tolerance * tolerance;
@@ -341,8 +343,9 @@ private:
     return true;
   }
 
-  /// The foot on a wall that is not quite upright is a little off the side: the point slides along its side instead.
-  /// Nothing where it would leave the side, or where it is at a corner of the domain and cannot slide.
+  /// Returns the place for a point that stays on its sides of the domain. The foot on a wall that is not quite upright
+  /// is a little off the side: the point slides along its side instead. Returns nullopt if it would leave the side, or
+  /// if it is at a corner of the domain and cannot slide.
   std::optional<LatticePoint> keptOnSides(Index p, const Target& target) const
   {
     const LatticePoint& from = soup.points[p];
@@ -368,8 +371,8 @@ private:
     return std::all_of(around.begin(), around.end(), [&](Index t) { return keepsItsShape(t, p, to, onto); });
   }
 
-  /// A triangle may turn over in its plane, as those beside it then cover more; and it may vanish in the edge or point
-  /// of its own that the point moves onto.
+  /// True if the move leaves a triangle in shape. It may turn over in its plane, as its neighbors then cover more. It
+  /// may vanish in its own edge or point that the point moves onto.
   bool keepsItsShape(Index t, Index p, const LatticePoint& to, Index onto) const
   {
     const auto& corners = soup.triangles[t];
@@ -385,7 +388,7 @@ private:
       return (hasA && hasB) || (hasA && to == soup.points[a]) || (hasB && to == soup.points[b]) ||
              !(isBoundaryEdge(p, a) || isBoundaryEdge(p, b) || isBoundaryEdge(a, b));
     }
-    // Turned farther, the triangle would fold.
+    // If turned farther, the triangle would fold.
     return std::abs(after.dot(before)) >= alongCosine * after.norm() * before.norm();
   }
 
@@ -401,7 +404,7 @@ private:
   /// Per point, the smallest of the parts it belongs to.
   std::vector<Index> partOf;
   std::vector<char> hasSeveralParts;
-  /// Per point, whether it is of what is finer than the tolerance.
+  /// One flag per point: nonzero if it belongs to a part finer than the tolerance.
   std::vector<char> isFine;
   std::vector<Gap> gaps;
 };

@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// Of triangles with the same corners, whether they are wound in opposite directions.
+/// True if two triangles with the same corners are wound in opposite directions.
 bool areOpposite(const std::array<Index, 3>& a, const std::array<Index, 3>& b)
 {
   const auto at = static_cast<std::size_t>(std::ranges::find(b, a[0]) - b.begin());
@@ -26,7 +26,7 @@ Overlaps::Overlaps(const TriangleSurface& drawn, std::vector<SurfaceKind> kinds,
 {
 }
 
-/// Points are the same for patches where they are nearly so: exporters round neighbors apart.
+/// Patches take points for the same if they nearly are: exporters round neighbors apart.
 void Overlaps::findPrecedence()
 {
   std::vector<LatticePoint> points(drawn_.points.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Settles which of pieces that lie upon each other stay, and sums up by surface what was dropped.
+/// Chooses which of several overlapping pieces stays, and sums up the dropped areas by surface.
 #pragma once
 
 #include "Surface/Repair/SurfaceRepair.h"
@@ -10,19 +10,19 @@
 
 namespace atria {
 
-/// Where two surfaces lie upon each other, or one upon itself.
+/// The overlap of two surfaces, or of one with itself.
 struct Overlap
 {
   SharedArea shared;
-  std::size_t pieces = 0; ///< that were dropped
+  std::size_t pieces = 0; ///< number of pieces that were dropped
   Vec3 place;             ///< the centroid of the first of them, in lattice units
 };
 
-/// Of pieces with the same corners, one stays: that of the surface with precedence.
+/// Keeps one of the pieces with the same corners: that of the surface with precedence.
 class Overlaps
 {
 public:
-  /// Sources of pieces are triangles of `drawn`, which is referred to, as is the frame. `kinds` is as in
+  /// Sources of pieces are triangles of `drawn`. Keeps references to it and to the frame. `kinds` is as in
   /// FacePrecedence.
   Overlaps(const TriangleSurface& drawn, std::vector<SurfaceKind> kinds, const GridFrame& frame);
 
@@ -32,9 +32,10 @@ public:
   /// Forgets the areas so far.
   void forget() { byPair_.clear(); }
 
-  /// By the surface that gives and the one that keeps; those of one surface are the same.
+  /// Returns the overlaps, sorted by the surface that gives and the one that keeps. Both are the same for overlaps
+  /// within one surface.
   std::vector<Overlap> all() const;
-  /// What surfaces that have names share with each other, or have twice.
+  /// Returns the areas that named surfaces share with each other, or have twice.
   std::vector<SharedArea> shared() const;
 
 private:
@@ -46,7 +47,7 @@ private:
   const TriangleSurface& drawn_;
   std::vector<SurfaceKind> kinds_;
   const GridFrame& frame_;
-  std::optional<FacePrecedence> precedence_; ///< once different surfaces coincide
+  std::optional<FacePrecedence> precedence_; ///< set once different surfaces coincide
   std::vector<Index> sources_;
   std::map<std::pair<Index, Index>, Overlap> byPair_;
 };

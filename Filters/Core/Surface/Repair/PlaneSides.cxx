@@ -7,7 +7,8 @@ namespace atria {
 
 namespace {
 
-/// Distances found in double precision are off by less, in lattice units; what may be off by more is found exactly.
+/// Largest error of distances in double precision, in lattice units. If more is possible, the distance is found
+/// exactly.
 constexpr double accuracy = 0.01;
 constexpr double rounding = 1e-15;
 

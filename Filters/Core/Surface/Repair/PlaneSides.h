@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Tells on which side of a triangle's plane the corners of another one lie.
 #pragma once
 
 #include "Grid/Predicates.h"
@@ -6,8 +7,8 @@
 
 namespace atria {
 
-/// Where the corners of a triangle lie as seen from the plane of another. In double precision, and exact where that
-/// does not tell. Distances are 0 at common points, and where the other triangle has no area.
+/// Distances of a triangle's corners from the plane of another. They are in double precision, and exact where that does
+/// not decide the side. Distances are 0 at common points, and if the other triangle has no area.
 class PlaneSides
 {
 public:
@@ -15,11 +16,11 @@ public:
 
   double distance(int corner) const { return distances[corner]; }
   int sign(int corner) const;
-  /// A multiple of the distance.
+  /// Returns an exact multiple of the distance.
   Wide exact(int corner) const;
   LatticeNormal normal() const;
 
-  /// Where the edge between two corners on different sides passes the plane, and by how much that may be off.
+  /// The point where the edge between two corners on different sides passes the plane, and its largest error.
   struct Passage
   {
     Vec3 at;
@@ -27,8 +28,7 @@ public:
   };
   Passage passage(int corner, int next) const;
 
-  /// Whether the triangle comes nowhere within the reach of the other but at common points, as it lies on one side of
-  /// its plane.
+  /// True if the triangle lies on one side of the other's plane and comes within its reach only at common points.
   bool apart() const { return isApart; }
 
 private:

@@ -8,7 +8,7 @@ namespace atria {
 
 namespace {
 
-/// Points on edges, by edge.
+/// Collects the points on edges, by edge.
 class Slivers
 {
 public:
@@ -72,7 +72,7 @@ private:
     return found;
   }
 
-  /// Whether edge i is the long one and an edge got a point.
+  /// Aligns the triangle if edge i is its long one. Returns true if an edge got a point.
   bool alignAt(Index t, int i)
   {
     const auto& corners = soup.triangles[t];

@@ -14,7 +14,7 @@ namespace atria {
 
 namespace {
 
-/// Edge, against the octants at features, of the cells in which small parts count as one.
+/// Edge of the cells in which small parts count as one, in sizes of octants at features.
 constexpr double cellRatio = 0.25;
 
 /// Groups of small parts.
@@ -78,7 +78,7 @@ private:
     return between(box.low, box.high).norm() < options.size * size;
   }
 
-  /// Joins small parts whose boxes pass the same cell.
+  /// Joins small parts whose boxes touch the same cell.
   void joinNear()
   {
     const auto cell =
@@ -121,7 +121,7 @@ private:
     }
   }
 
-  /// Groups at a boundary edge of what stays may be what closes it.
+  /// Keeps groups at a boundary edge of parts that stay: they may close a hole there.
   void keepPatches()
   {
     std::vector<NumberedBox> small;

@@ -17,7 +17,7 @@ namespace atria {
 
 namespace {
 
-/// The two triangles of an edge where they are of one smooth piece.
+/// True if an edge has two triangles of one surface that bend by no more than the angle.
 bool isSmooth(std::span<const SoupEdgeUse> uses, const TriangleSoup& soup, const std::vector<Vec3>& normals,
               double cosine)
 {
@@ -91,7 +91,7 @@ private:
             static_cast<std::uint32_t>((p[2] - origin[2]) >> shift)};
   }
 
-  /// Each triangle is of the cell that holds the middle of its box, unless it is larger than a cell.
+  /// Puts each triangle in the cell that holds the middle of its box, unless it is larger than a cell.
   void placeTriangles()
   {
     cellOf.assign(soup.triangles.size(), noIndex);
@@ -124,7 +124,7 @@ private:
     }
   }
 
-  /// Cells are not simple that have two patches, or one that bends.
+  /// Marks cells with two patches, or with one that bends, as not simple.
   void findPatches(std::span<const SoupEdgeUse> uses)
   {
     UnionFind patches(soup.triangles.size());
@@ -152,7 +152,7 @@ private:
 
   bool isAlong(const Cell& cell, Index t) const { return cell.mean.dot(smooth.unitNormals[t]) >= alongCosine; }
 
-  /// Nor are those into which something else reaches from beside them.
+  /// Marks cells that another patch reaches into from beside them as not simple.
   void lookAcrossBorders()
   {
     for (Index t = 0; t < soup.triangles.size(); ++t)
@@ -167,7 +167,8 @@ private:
     }
   }
 
-  /// visit(cell) for those that a small triangle may reach; noIndex for such without triangles of their own.
+  /// Calls visit(cell) for the cells that a small triangle may reach, with noIndex for cells without triangles of their
+  /// own.
   template <typename Visit> void eachCell(Index t, Visit&& visit) const
   {
     if (cellOf[t] == noIndex)
@@ -200,7 +201,7 @@ private:
   std::int64_t reach;
   LatticePoint origin;
   int shift = 0;
-  /// Per triangle; noIndex for large ones.
+  /// One entry per triangle: its cell; noIndex for large triangles.
   std::vector<Index> cellOf;
   std::vector<NumberedBox> large;
   std::unordered_map<MortonKey, Index> numbers;

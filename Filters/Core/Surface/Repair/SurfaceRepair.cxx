@@ -15,9 +15,9 @@ namespace atria {
 
 namespace {
 
-/// Against the gap tolerance: what is this near may become one point where cuts do not end otherwise.
+/// Distance up to which points may be merged if cuts do not end otherwise, as a part of the gap tolerance.
 constexpr double widestWeld = 0.5;
-/// Of closing gaps; what still moves after so many goes to and fro.
+/// Largest number of passes that close gaps. Points that still move then go to and fro.
 constexpr int maximumPasses = 6;
 
 void dropUnusedPoints(TriangleSoup& soup)
@@ -60,7 +60,7 @@ void dropTriangles(TriangleSoup& soup, const std::vector<char>& isOut)
   soup = std::move(rest);
 }
 
-/// Triangles with a point that was moved.
+/// Returns one entry per triangle; those with a moved point count as moved.
 std::vector<Change> changesOf(const TriangleSoup& soup, const std::vector<char>& isMoved)
 {
   std::vector<Change> changes;
@@ -71,7 +71,7 @@ std::vector<Change> changesOf(const TriangleSoup& soup, const std::vector<char>&
   return changes;
 }
 
-/// Closes gaps and cuts what moved, in turn, until nothing moves.
+/// Closes gaps in passes until nothing moves or the passes run out. Then cuts the triangles that moved.
 void closeAllGaps(TriangleSoup& soup, const GridFrame& frame, const GapOptions& options,
                   const AutorefineOptions& refining, AutorefineReport& refined, SurfaceRepairReport& report,
                   const RunContext& context)
@@ -111,7 +111,7 @@ void closeAllGaps(TriangleSoup& soup, const GridFrame& frame, const GapOptions& 
   report.closedGaps = static_cast<std::size_t>(std::count(everMoved.begin(), everMoved.end(), 1));
 }
 
-/// The entry of each surface.
+/// Collects the hidden details of each surface.
 class HiddenDetails
 {
 public:
@@ -211,7 +211,7 @@ void repairSurface(TriangleSoup& soup, const GridFrame& frame, const SurfaceRepa
   ClusterCells clusters;
   std::vector<char> isLone;
   {
-    // Pieces are closed as they were drawn; where they are cut they share edges with others.
+    // Pieces are closed as they were drawn; after cuts they share edges with others.
     std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, context.executor);
     report.flippedTriangles = orientTriangles(soup, uses);
     const SmoothPieces smooth(soup, uses, options.clusters.featureAngle, context.executor);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Repairs a soup: small parts, gaps, contacts, overlaps, winding.
 #pragma once
 
 #include "Support/RunContext.h"
@@ -9,36 +10,35 @@
 
 namespace atria {
 
-/// What of a surface is too fine for the mesh.
+/// Parts of a surface that are too fine for the mesh.
 struct HiddenDetail
 {
   Index surface;
   /// Triangles in clusters, where nothing is cut or moved, and their area in model units.
   std::size_t clusteredTriangles = 0;
   double clusteredArea = 0.0;
-  /// The same of small parts that were left out.
+  /// The same for small parts that were left out.
   std::size_t leftOutTriangles = 0;
   double leftOutArea = 0.0;
 };
 
-/// Area in which two surfaces lie upon each other, or one upon itself: one keeps its faces there, the other gives them
-/// up.
+/// Area in which two surfaces overlap, or one overlaps itself: one keeps its faces there, the other gives them up.
 struct SharedArea
 {
   Index keeps;
   Index gives;
   /// All areas in square model units.
   double area = 0.0;
-  /// The part in which neither is smaller than the other, so that the order in the file decides.
+  /// Part in which neither is smaller than the other, so that the order in the file decides.
   double equalArea = 0.0;
-  /// The part within the domain in which a wall gives way to a face zone, so that the wall has an opening.
+  /// Part within the domain in which a wall gives way to a face zone, so that the wall has an opening.
   double openedArea = 0.0;
 };
 
-/// What was changed to make a model sound.
+/// Counts of the changes that made a model sound.
 struct SurfaceRepairReport
 {
-  /// Places whose points became one with a point at another place.
+  /// Places whose points were merged with a point at another place.
   std::size_t weldedPoints = 0;
   /// Triangles without area that were dropped.
   std::size_t degenerateTriangles = 0;
@@ -57,10 +57,10 @@ struct SurfaceRepairReport
   std::size_t flippedTriangles = 0;
   /// Places where triangles still touch or pass through each other other than in common edges and points.
   std::size_t unresolvedContacts = 0;
-  /// Of surfaces that have any, in their order.
+  /// Entries of surfaces that have any, in the order of surfaces.
   std::vector<HiddenDetail> hidden;
-  /// One entry for each two named surfaces that lie upon each other, and for each that does upon itself, by `gives` and
-  /// then by `keeps`. What is in clusters does not count.
+  /// One entry for each two named surfaces that overlap, and for each surface that overlaps itself, sorted by `gives`
+  /// and then by `keeps`. Areas in clusters do not count.
   std::vector<SharedArea> shared;
 };
 
@@ -76,15 +76,15 @@ struct SurfaceRepairOptions
   /// See SmallPartOptions.
   double smallPartSize = 0.0;
   std::vector<char> keptSurfaces;
-  /// As AutorefineOptions::overlaps.
+  /// Same as AutorefineOptions::overlaps.
   Overlaps* overlaps = nullptr;
 };
 
 /// Makes a soup sound: leaves out small parts, closes gaps, cuts triangles where they touch or pass through each other,
-/// drops all but one of pieces that overlap, makes the winding consistent. Afterwards triangles meet in common
-/// edges and points only, but in clusters and for the contacts that the report counts. Surfaces and sources of pieces
-/// are those of their triangles; points not used are dropped, and the others keep their order. The result does not
-/// depend on threads. Throws Aborted on demand.
+/// drops all but one of several overlapping pieces and makes the winding consistent. Afterwards triangles meet in
+/// common edges and points only, except in clusters and at the contacts that the report counts. Surfaces and sources of
+/// pieces are those of their triangles; points not used are dropped, and the others keep their order. The result does
+/// not depend on threads. Throws Aborted on demand.
 void repairSurface(TriangleSoup& soup, const GridFrame& frame, const SurfaceRepairOptions& options,
                    SurfaceRepairReport& report, const RunContext& context);
 

@@ -14,7 +14,7 @@ namespace atria {
 
 namespace {
 
-/// What is put on the triangles.
+/// Collects the points and segments on triangles, and cuts the triangles.
 class Cutter
 {
 public:
@@ -38,7 +38,7 @@ public:
     }
   }
 
-  /// The triangles after the cuts; `changes` tells the pieces of those that were cut.
+  /// Replaces the triangles by those after the cuts. `changes` marks the pieces of triangles that were cut.
   void apply(std::vector<Change>& changes, std::vector<char>& sourceIsSplit, const RunContext& context)
   {
     TriangleSoup next;
@@ -101,7 +101,7 @@ public:
   }
 
 private:
-  /// A point on a triangle; bit i of `edges` where it lies on its edge i.
+  /// A point on a triangle; bit i of `edges` is set if it lies on edge i.
   struct PlacedPoint
   {
     Index point;
@@ -109,7 +109,7 @@ private:
   };
   using Placed = std::vector<PlacedPoint>;
 
-  /// What is to be an edge of a triangle.
+  /// A segment that must become an edge of a triangle.
   struct Segment
   {
     Index triangle;
@@ -153,7 +153,7 @@ private:
             std::ranges::upper_bound(segments, triangle, {}, &Segment::triangle)};
   }
 
-  /// Whether there is anything on a triangle.
+  /// True if there is a point or a segment on a triangle.
   bool isCut(Index t) const
   {
     const auto& corners = soup.triangles[t];
@@ -164,7 +164,7 @@ private:
     return hasPoints(0) || hasPoints(1) || hasPoints(2) || hasInside[t];
   }
 
-  /// All points of a triangle, by index.
+  /// Returns all points of a triangle, by index.
   const Placed& placedOn(Index t)
   {
     const auto [known, isNew] = placed.try_emplace(t);
@@ -232,7 +232,7 @@ private:
     return common;
   }
 
-  /// The segments that two triangles have in common become edges of both.
+  /// Makes the segments that two triangles have in common edges of both.
   void joinPair(Index a, Index b)
   {
     std::vector<CommonPoint> common = commonPoints(a, b);
@@ -280,7 +280,7 @@ private:
     }
   }
 
-  /// Sorts points along the line through the first and the one farthest from it; false where they are not on it.
+  /// Sorts points along the line through the first and the one farthest from it. Returns false if they are not on it.
   bool sortOnLine(std::vector<CommonPoint>& row) const
   {
     const auto at = [&](const CommonPoint& p) { return between(soup.points[row[0].point], soup.points[p.point]); };
@@ -290,7 +290,7 @@ private:
       along = at(p).squaredNorm() > along.squaredNorm() ? at(p) : along;
     }
     const double length = along.norm();
-    // Points on edges and faces are within the reach of them, and moved by welding.
+    // Points on edges and faces are within the reach of them, and welding may have moved them.
     const double width = static_cast<double>(2 + 2 * weldReaches) * reach;
     const bool straight = std::all_of(
         row.begin(), row.end(), [&](const CommonPoint& p) { return at(p).cross(along).norm() <= width * length; });
@@ -333,7 +333,7 @@ private:
   double reach;
   std::vector<EdgeContact> alongEdges;
   std::vector<char> begins;
-  /// Per triangle, whether there are points or segments off its edges.
+  /// One flag per triangle: nonzero if there are points or segments off its edges.
   std::vector<char> hasInside;
   std::vector<Segment> segments;
   std::map<Index, Placed> placed;

@@ -47,7 +47,7 @@ bool BoxRaster::mayTouch(const LatticeBox& box) const
   return found != 0;
 }
 
-/// Of the part of a box within the bounds.
+/// Returns the cells of the part of a box within the bounds.
 BoxRaster::Cells BoxRaster::cellsOf(const LatticeBox& box) const
 {
   Cells cells;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Decides in a few steps that most boxes touch none of a set of boxes.
 #pragma once
 
 #include "Surface/Search/BoxPairs.h"
@@ -7,17 +8,17 @@
 
 namespace atria {
 
-/// Where some boxes are, roughly: of most boxes elsewhere it tells in a few steps that they touch none of these.
+/// A raster of the cells that some boxes touch.
 class BoxRaster
 {
 public:
   explicit BoxRaster(const std::vector<NumberedBox>& boxes);
 
-  /// False for most boxes that touch none, and for no other.
+  /// Returns false for most boxes that touch none, and true for all others.
   bool mayTouch(const LatticeBox& box) const;
 
 private:
-  /// Along each axis. A row along x is the bits of a word.
+  /// Number of cells along each axis. A row along x is the bits of a word.
   static constexpr std::int64_t width = 64;
 
   struct Cells

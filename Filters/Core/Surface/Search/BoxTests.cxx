@@ -14,7 +14,7 @@ namespace atria {
 
 namespace {
 
-/// A box about the origin, and points relative to its center.
+/// A box around the origin, and points relative to its center.
 struct CenteredBox
 {
   explicit CenteredBox(const LatticeBox& box)
@@ -50,7 +50,7 @@ bool TriangleBoxTest::touches(const LatticeBox& box)
          (std::ranges::any_of(corners_, [&](const LatticePoint& p) { return box.contains(p); }) || !isSeparate(box));
 }
 
-/// Lattice coordinates have some 40 bits, so that edges are exact.
+/// Finds the axes. Lattice coordinates have some 40 bits, so that edges are exact.
 void TriangleBoxTest::findAxes()
 {
   const auto edge = [&](int from, int to) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which pieces of the model touch an octant. Conservative: what touches the box is never missed; what is farther away
-/// than rounding (some lattice units) is never found.
+/// Tests which pieces of the model touch an octant. The tests are conservative: pieces that touch the box are never
+/// missed, and pieces farther away than rounding (some lattice units) are never found.
 #pragma once
 
 #include "Grid/LatticeBox.h"
@@ -9,8 +9,8 @@
 
 namespace atria {
 
-/// A triangle to test against several boxes: what does not depend on the box is found once, and not before it is
-/// needed. Separating axes (Akenine-Möller 2001).
+/// A triangle to test against several boxes by separating axes (Akenine-Möller 2001). Data that does not depend on the
+/// box is found once, and not before it is needed.
 class TriangleBoxTest
 {
 public:
@@ -23,10 +23,10 @@ private:
 
   std::array<LatticePoint, 3> corners_;
   LatticeBox bounds_;
-  /// The normal and those normal to an edge and an axis of the grid; 0 until they are found.
+  /// The normal, and directions normal to an edge and an axis of the grid; 0 until they are found.
   std::size_t count_ = 0;
   std::array<Vec3, 10> axes_;
-  /// How far a box of this half size reaches along each.
+  /// Half size of the last box, and its reach along each axis.
   Vec3 half_ = Vec3::Constant(-1.0);
   std::array<double, 10> reaches_;
 };
@@ -34,7 +34,7 @@ private:
 bool touches(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b, const LatticePoint& c);
 bool touches(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b);
 
-/// Parameters [t0, t1] of the part of segment a-b in the box; t0 > t1 where there is none.
+/// Parameters [t0, t1] of the part of segment a-b in the box; t0 > t1 if there is none.
 struct SegmentRange
 {
   double begin = 0.0;

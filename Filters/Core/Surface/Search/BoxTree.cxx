@@ -15,7 +15,7 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-/// Of the order of what rounding to a float may be off by, and never less.
+/// Relative margin for rounding to a float, never less than the error.
 constexpr float rounding = std::numeric_limits<float>::epsilon();
 
 float below(std::int64_t value)
@@ -30,7 +30,7 @@ float above(std::int64_t value)
   return rounded + rounding * std::abs(rounded);
 }
 
-/// By size and then by place; no two are the same.
+/// Sorts boxes by size and then by place; no two keys are the same.
 struct SortKey
 {
   std::uint64_t key;
@@ -38,7 +38,7 @@ struct SortKey
   friend auto operator<=>(const SortKey&, const SortKey&) = default;
 };
 
-/// Sizes are powers of four.
+/// Returns the size class of a box. Sizes are powers of four.
 unsigned sizeClassOf(const LatticeBox& box)
 {
   std::uint64_t length = 0;

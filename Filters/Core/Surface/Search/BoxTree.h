@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds all boxes that touch a given one.
 #pragma once
 
 #include "Support/RunContext.h"
@@ -12,15 +13,15 @@
 
 namespace atria {
 
-/// Finds the boxes that touch another one. Boxes of about one size (each size is four times the one before) are sorted
-/// by the Morton keys of their centers, and every eight that follow each other are one box of the level above. So long
-/// boxes spoil no small ones' hierarchy. O(n log n) to build, on all threads.
+/// A tree of boxes. Boxes of about one size (each size is four times the one before) are sorted by the Morton keys of
+/// their centers, and every eight in a row form one box of the level above. Long boxes thus do not spoil the hierarchy
+/// of small ones. O(n log n) to build, on all threads.
 class BoxTree
 {
 public:
   BoxTree(std::vector<NumberedBox> boxes, const RunContext& context);
 
-  /// In the tree's order.
+  /// Number of boxes. Places number them in the tree's order.
   std::size_t size() const { return boxes_.size(); }
   const NumberedBox& box(std::size_t place) const { return boxes_[place]; }
 
@@ -70,7 +71,7 @@ private:
     std::size_t group;
   };
 
-  /// Bits of the children that touch, or nearly do.
+  /// Returns bits of the children that touch, or nearly do.
   static unsigned touching(const Group& group, const Query& query)
   {
     unsigned bits = 0;
@@ -103,7 +104,7 @@ private:
   template <typename Visit>
   void search(const Hierarchy& hierarchy, const Query& query, std::size_t first, Visit&& visit) const
   {
-    // Of each level no more than seven wait at a time, besides those of the level below.
+    // At most seven groups of each level wait at a time, besides those of the level below.
     std::array<Step, width * 16> open;
     std::size_t count = 0;
     open[count++] = {hierarchy.levels.size() - 1, 0};

@@ -18,16 +18,16 @@ namespace atria {
 
 namespace {
 
-/// Lattice units along the longest edge of the bounds: products of two coordinates fit 64 bits.
+/// Lattice units along the longest edge of the bounds. Products of two coordinates fit 64 bits.
 constexpr double latticeUnits = 1 << 28;
 
-/// Twice the area of the triangle a, b, p seen from above: positive where p is to the left of the way from a to b.
+/// Returns twice the area of the triangle a, b, p seen from above: positive if p is to the left of the way from a to b.
 std::int64_t areaAbove(const LatticePoint& a, const LatticePoint& b, const LatticePoint& p)
 {
   return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
 }
 
-/// Whether p is to the left of the way from a to b seen from above. A point on the way counts as moved by very little
+/// True if p is to the left of the way from a to b seen from above. A point on the way counts as moved by very little
 /// along x, and by even less along y, so that the triangles around an edge or a point agree.
 bool isLeftOf(const LatticePoint& a, const LatticePoint& b, const LatticePoint& p)
 {
@@ -35,7 +35,7 @@ bool isLeftOf(const LatticePoint& a, const LatticePoint& b, const LatticePoint& 
   return area != 0 ? area > 0 : a[1] != b[1] ? a[1] > b[1] : b[0] > a[0];
 }
 
-/// Joins triangles at an edge: those of each surface that has an even number of them, and all others.
+/// Joins triangles at an edge: those of each surface that has an even number of them there, and all others.
 void joinAtEdge(std::span<const SoupEdgeUse> uses, const TriangleSoup& soup, UnionFind& parts)
 {
   if (uses.size() <= 2)
@@ -58,7 +58,7 @@ void joinAtEdge(std::span<const SoupEdgeUse> uses, const TriangleSoup& soup, Uni
   }
 }
 
-/// Per triangle its solid, with the fronts on the side that gives more of them one.
+/// Returns the solid of each triangle. Fronts are on the side that gives more triangles a solid.
 std::vector<Index> solidsOf(const TriangleSoup& soup)
 {
   std::vector<Vec3> points;
@@ -72,7 +72,7 @@ std::vector<Index> solidsOf(const TriangleSoup& soup)
   return solids;
 }
 
-/// The triangles of parts with an edge that an odd number of their triangles have.
+/// Returns the parts with an edge that an odd number of their triangles use.
 std::set<Index> openParts(std::span<const SoupEdgeUse> uses, UnionFind& parts)
 {
   std::set<Index> open;
@@ -109,14 +109,14 @@ LatticePoint ClosedBodies::latticeOf(const Vec3& point) const
   LatticePoint p;
   for (int axis = 0; axis < 3; ++axis)
   {
-    // Places far away are as good as those just beyond.
+    // Far places count the same as places just beyond the bounds.
     const double at = std::clamp((point[axis] - origin_[axis]) / unit_, -latticeUnits, 2.0 * latticeUnits);
     p[axis] = std::llround(at);
   }
   return p;
 }
 
-/// Makes the soup: points that are one have one number, and triangles that are there twice are there once.
+/// Makes the soup. Merges points, and drops repeated triangles.
 void ClosedBodies::weld(const TriangleSurface& surface, const std::function<bool(Index)>& wants, double weldDistance)
 {
   Box3 bounds;
@@ -255,7 +255,7 @@ bool ClosedBodies::isBelow(const LatticePoint& p, const std::array<Index, 3>& tr
 double ClosedBodies::commonLength(double x, double y, Index one, Index other) const
 {
   const LatticePoint place = latticeOf({x, y, origin_[2]});
-  // Heights at which the way goes into a body or out of it.
+  // Heights at which the way enters or leaves a body.
   std::vector<std::pair<double, bool>> heights;
   for (const Index body : {one, other})
   {
@@ -319,7 +319,7 @@ std::vector<Index> ClosedBodies::aroundLattice(const LatticePoint& p) const
 
 bool ClosedBodies::isInside(Index inner, Index outer) const
 {
-  constexpr std::size_t most = 64; // points that are looked at
+  constexpr std::size_t most = 64; // points that are tested
   const LatticeBox& in = bodies_[inner].bounds;
   const LatticeBox& out = bodies_[outer].bounds;
   for (int axis = 0; axis < 3; ++axis)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Bodies of a model as it was drawn, closed and open ones, and which of the closed ones lie around a point.
+/// Finds the bodies of a model as it was drawn, closed and open ones, and the closed ones around a point.
 #pragma once
 
 #include "Surface/Search/BoxTree.h"
@@ -14,36 +14,37 @@ namespace atria {
 struct DrawnBody
 {
   LatticeBox bounds;
-  /// Of the first triangle.
+  /// Surface of the first triangle.
   Index surface = noIndex;
   std::vector<Index> triangles;
-  /// Of a closed body, in cubic model units; negative where the fronts are inside.
+  /// Volume of a closed body, in cubic model units; negative if the fronts are inside.
   double volume = 0.0;
 };
 
-/// The solids that triangles bound as they are wound, and of the other triangles those that share edges: closed if each
-/// edge has an even number of them. Where more than two of these meet in an edge, those of one surface hold together,
-/// so that bodies that only touch are apart. What encloses what is decided by parity: it does not depend on how
-/// triangles are wound.
+/// The bodies of a model: solids that triangles bound as they are wound, and sets of other triangles that share edges.
+/// Such a set is closed if each edge has an even number of its triangles. If more than two of these meet in an edge,
+/// those of one surface stay together, so that bodies that only touch are separate. Parity decides which body encloses
+/// another: it does not depend on how triangles are wound.
 class ClosedBodies
 {
 public:
-  /// Only of triangles that `wants`; points nearer to each other than `weldDistance` (model units) are one.
-  /// O(n log n).
+  /// Takes only triangles that `wants` accepts, and merges points nearer to each other than `weldDistance` (model
+  /// units). O(n log n).
   ClosedBodies(const TriangleSurface& surface, const std::function<bool(Index)>& wants, double weldDistance,
                const RunContext& context);
 
-  /// The closed ones.
+  /// Closed bodies.
   const std::vector<DrawnBody>& bodies() const { return bodies_; }
   const std::vector<DrawnBody>& open() const { return open_; }
-  /// In model units, of a body's triangle.
+  /// Returns the corners of a body's triangle, in model units.
   std::array<Vec3, 3> corners(Index triangle) const;
   Box3 bounds(const DrawnBody& body) const { return {toModel(body.bounds.low), toModel(body.bounds.high)}; }
-  /// The bodies around a point in model units, the largest first. O(log n) and the triangles above the point.
+  /// Returns the closed bodies around a point in model units, the largest first. O(log n) and the triangles above the
+  /// point.
   std::vector<Index> around(const Vec3& point) const { return aroundLattice(latticeOf(point)); }
-  /// How long the way up through a place is inside of two closed bodies at once; model units.
+  /// Returns the length, in model units, that an upright line shares with the insides of two closed bodies at once.
   double commonLength(double x, double y, Index one, Index other) const;
-  /// Whether a body lies wholly inside another one and touches it nowhere, as far as some of its points tell.
+  /// True if a body lies wholly inside another one and touches it nowhere, as far as some of its points tell.
   bool isInside(Index inner, Index outer) const;
 
 private:
@@ -59,7 +60,7 @@ private:
   Vec3 origin_ = Vec3::Zero();
   double unit_ = 1.0;
   TriangleSoup soup_;
-  std::vector<Index> bodyOf_; ///< by triangle; noIndex of those that are of none
+  std::vector<Index> bodyOf_; ///< one entry per triangle: its closed body; noIndex for all others
   std::vector<DrawnBody> bodies_;
   std::vector<DrawnBody> open_;
   std::unique_ptr<BoxTree> tree_;

@@ -21,7 +21,7 @@ Vec3 nearestOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& 
   const double squared = normal.squaredNorm();
   const bool hasArea = squared > 0.0;
   const Vec3 q = hasArea ? Vec3(p - normal * (normal.dot(p - a) / squared)) : p;
-  // On edges beyond which it lies, and of a triangle without area on all.
+  // The nearest place is on an edge beyond which it lies, or on any edge of a triangle without area.
   NearestPlace best{p};
   const auto offer = [&](const Vec3& from, const Vec3& to) {
     if (!hasArea || !(normal.dot((to - from).cross(q - from)) >= 0.0))
@@ -44,7 +44,7 @@ NearestPair nearestOfSegments(const Vec3& p, const Vec3& q, const Vec3& a, const
   const double uv = u.dot(v);
   const double vv = v.squaredNorm();
   const double determinant = uu * vv - uv * uv;
-  // Parallel segments: any start does, as each end is put on the other segment afterwards.
+  // Parallel segments: any start will do, as each end is put on the other segment afterwards.
   const double s =
       determinant > 1e-12 * uu * vv ? std::clamp((uv * v.dot(w) - vv * u.dot(w)) / determinant, 0.0, 1.0) : 0.0;
   NearestPair pair;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds nearest points of triangles and segments.
 #pragma once
 
 #include "Support/Types.h"
@@ -7,25 +8,25 @@
 
 namespace atria {
 
-/// In lattice units: what is this near is there, as points are rounded.
+/// Distance in lattice units up to which places are the same, as points are rounded.
 inline constexpr double latticeRounding = 2.0;
-/// In octants: what is this near is in one place or plane, as walls are drawn.
+/// Distance in octants up to which parts are in one place or plane, as walls are drawn.
 inline constexpr double coincidentRatio = 1e-3;
-/// What lies on a surface and in a plane is found by going to the nearest place of either in turn, so often.
+/// Number of turns in which a point goes to the nearest place of a surface and of a plane in turn, to find one on both.
 inline constexpr int projectionTurns = 8;
 
-/// The point of a triangle, or segment, nearest to p (Ericson 2005, 5.1).
+/// Returns the point of a triangle, or segment, nearest to p (Ericson 2005, 5.1).
 Vec3 nearestOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 Vec3 nearestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b);
 
-/// The nearest to p of the places it is offered, of equally near ones the first.
+/// The nearest to p of all offered places, and the first of equally near ones.
 struct NearestPlace
 {
   Vec3 p;
   Vec3 at = Vec3::Zero();
   double squaredDistance = std::numeric_limits<double>::infinity();
 
-  /// Whether that is nearer than all before.
+  /// Takes a place if it is nearer than all before. Returns true if it was.
   bool offer(const Vec3& place)
   {
     const double squared = (place - p).squaredNorm();

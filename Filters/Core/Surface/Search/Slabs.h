@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Clips a line to a box.
 #pragma once
 
 #include "Surface/Search/BoxTests.h"
@@ -7,8 +8,8 @@
 
 namespace atria {
 
-/// Parameters in [0, farthest] of the part of a line in the box from `low` to `high`, which are given from where the
-/// line begins (Kay and Kajiya 1986).
+/// Returns the parameters in [0, farthest] of the part of a line in the box from `low` to `high`, which are relative to
+/// the start of the line (Kay and Kajiya 1986).
 inline SegmentRange clipLine(const Vec3& low, const Vec3& high, const Vec3& along, double farthest)
 {
   SegmentRange range{0.0, farthest};

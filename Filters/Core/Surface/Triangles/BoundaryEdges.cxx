@@ -47,7 +47,7 @@ std::vector<BoundaryEdges::Run> BoundaryEdges::runs() const
 {
   std::vector<Run> runs;
   std::vector<char> isUsed(edges_.size(), 0);
-  // Follows edges from one that is begun at its end `from`.
+  // Follows edges from the first one, which starts at its end `from`.
   const auto follow = [&](Index first, unsigned from) {
     Run& run = runs.emplace_back();
     End begin{first, from};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Boundary edges: edges of one triangle alone, at which a sheet ends.
+/// Finds boundary edges: edges that only one triangle uses, at which a sheet ends.
 #pragma once
 
 #include "Support/Angles.h"
@@ -11,7 +11,7 @@
 
 namespace atria {
 
-/// An edge in the sense in which its triangle is wound: from a to b, and on to the third point.
+/// An edge in the direction in which its triangle is wound: from a to b, and on to the third point.
 struct BoundaryEdge
 {
   Index a;
@@ -22,11 +22,11 @@ struct BoundaryEdge
   Index end(unsigned which) const { return which == 0 ? a : b; }
 };
 
-/// The boundary edges of a list of triangles, by triangle.
+/// The boundary edges of a list of triangles, sorted by triangle.
 class BoundaryEdges
 {
 public:
-  /// Only of triangles that `wants`.
+  /// Takes only triangles that `wants` accepts.
   BoundaryEdges(std::span<const std::array<Index, 3>> triangles, std::size_t pointCount, const Executor& executor,
                 const std::function<bool(Index)>& wants = nullptr);
 
@@ -37,9 +37,9 @@ public:
     Index edge;
     unsigned which; ///< 0 at a, 1 at b
   };
-  /// Those of a triangle.
+  /// Returns the boundary edges of a triangle.
   std::span<const BoundaryEdge> of(Index triangle) const;
-  /// The ends of edges at a point, in order, as codes that `endOf` takes.
+  /// Returns the ends of edges at a point, in order, as codes for `endOf`.
   std::span<const Index> at(Index point) const { return ends_.of(point); }
   static End endOf(Index code) { return {code / 2, code % 2}; }
   static Index codeOf(const End& end) { return 2 * end.edge + end.which; }
@@ -49,13 +49,13 @@ public:
     Index edge;
     bool forward; ///< from a to b
   };
-  /// Edges that follow each other. A run ends at the points where not just two edges meet; a ring has none.
+  /// Edges that follow each other. A run ends at points where not exactly two edges meet; a ring has no end.
   struct Run
   {
     std::vector<Link> links;
     bool isRing = false;
   };
-  /// Each edge is in one run. Runs with ends come first.
+  /// Returns all runs. Each edge is in one run. Runs with ends come first.
   std::vector<Run> runs() const;
 
 private:
@@ -64,7 +64,7 @@ private:
   Buckets ends_;
 };
 
-/// The unit vector in the plane of a boundary edge's triangle that leads away from it, square to the edge.
+/// Returns the unit vector in the plane of a boundary edge's triangle that leads away from it, square to the edge.
 inline Vec3 outwardOf(const BoundaryEdge& edge, std::span<const LatticePoint> points)
 {
   const Vec3 along = between(points[edge.a], points[edge.b]).normalized();
@@ -72,18 +72,18 @@ inline Vec3 outwardOf(const BoundaryEdge& edge, std::span<const LatticePoint> po
   return (along.dot(inward) * along - inward).normalized();
 }
 
-/// Whether a way leads ahead: within 45 degrees of where a sheet would go on. The two sides of an opening's corner are
-/// that far from being ahead of each other, also of a gable's.
+/// True if a way leads ahead: within 45 degrees of where a sheet would go on. The two sides of an opening's corner are
+/// that far from being ahead of each other, also those of a gable's.
 inline bool isAhead(const Vec3& outward, const Vec3& way) { return way.dot(outward) >= alongCosine * way.norm(); }
 
-/// How far a box reaches from p in a direction.
+/// Returns how far a box reaches from p in a direction.
 inline double reachOf(const Box3& box, const Vec3& p, const Vec3& direction)
 {
   const Vec3 farthest = (direction.array() > 0.0).select(box.max, box.min);
   return (farthest - p).dot(direction);
 }
 
-/// False for a box of which nothing is ahead of p.
+/// Returns false if no part of a box is ahead of p.
 inline bool reachesAhead(const Vec3& outward, const Vec3& p, const Box3& box)
 {
   return reachOf(box, p, outward) >= alongCosine * std::sqrt(box.squaredDistance(p));

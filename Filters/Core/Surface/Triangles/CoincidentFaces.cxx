@@ -61,8 +61,8 @@ private:
     return {places[t[0]], places[t[1]], places[t[2]]};
   }
 
-  /// Edges of a polygon that bound it, those of its triangles that are there once, each in its direction and sorted by
-  /// ends.
+  /// Returns the edges that bound a polygon: those of its triangles that occur once, each in its direction and sorted
+  /// by ends.
   std::vector<Edge> outlineOf(std::size_t first) const
   {
     std::vector<Edge> edges;
@@ -90,7 +90,7 @@ private:
     return outline;
   }
 
-  /// By ends alone, whichever way they are run through.
+  /// Returns the edges by their ends alone, whichever their direction.
   static std::vector<Edge> endsOf(std::vector<Edge> outline)
   {
     for (Edge& e : outline)
@@ -120,7 +120,7 @@ private:
         lowest.push_back(low);
       }
     }
-    std::vector<std::pair<std::uint64_t, Index>> candidates; // with the sums of their outlines
+    std::vector<std::pair<std::uint64_t, Index>> candidates; // polygons with the sums of their outlines
     forBuckets(lowest, [&](std::span<const Index> bucket) {
       candidates.clear();
       for (const Index i : bucket)
@@ -145,8 +145,8 @@ private:
     });
   }
 
-  /// The same for equal outlines, whichever way they are run through, and in all likelihood for these alone: edges that
-  /// are there twice cancel out.
+  /// Returns a sum that is the same for equal outlines, whichever their direction, and most likely differs for others.
+  /// Edges that occur twice cancel out.
   std::uint64_t outlineSum(std::size_t first) const
   {
     std::uint64_t sum = 0;
@@ -156,7 +156,7 @@ private:
       for (int k = 0; k < 3; ++k)
       {
         const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
-        // One round of mixing: sums that are equal by chance only cost a comparison.
+        // One round of mixing is enough: sums that are equal by chance only cost a comparison.
         const std::uint64_t edge = ((std::uint64_t{low} << 32) | high) * 0x9e3779b97f4a7c15ull;
         sum ^= edge ^ (edge >> 29);
       }
@@ -195,8 +195,8 @@ private:
     }
   }
 
-  /// Calls `visit` for every set of items of the same lowest place, ascending. A polygon or triangle coincides with one
-  /// of its set only, and sets are small and mostly of neighbors: this takes a fraction of the time of hashing.
+  /// Calls `visit` for every set of items of the same lowest place, ascending. A polygon or triangle coincides only
+  /// with one of its set. Sets are small and mostly of neighbors: this takes a fraction of the time of hashing.
   template <class Visit> void forBuckets(const std::vector<Index>& lowest, Visit&& visit) const
   {
     const Buckets items = fillBuckets(points.size(), SerialExecutor(), [&](auto&& use) {
@@ -214,7 +214,7 @@ private:
     }
   }
 
-  /// For the few of most sets, which then need not be sorted; false of more.
+  /// True if all candidates of a small set differ; the set then need not be sorted. False for larger sets.
   static bool allDiffer(std::span<const std::pair<std::uint64_t, Index>> candidates)
   {
     constexpr std::size_t few = 8;
@@ -235,8 +235,8 @@ private:
     return true;
   }
 
-  /// Says of faces that coincide which stays, and empties the lists of them. They are polygons by their first
-  /// triangles, or triangles.
+  /// Chooses which of the coincident faces stays, and empties the lists of them. Faces are triangles, or polygons given
+  /// by their first triangles.
   void settle(bool arePolygons)
   {
     for (std::size_t list = 0, begin = 0; list < alikeEnds.size(); begin = alikeEnds[list], ++list)
@@ -265,7 +265,7 @@ private:
     alikeEnds.clear();
   }
 
-  /// For each face a triangle to compare: one of the first face of its surface, as only that was counted.
+  /// Returns a triangle to compare for each face: one of the first face of its surface, as only that was counted.
   std::vector<Index> comparedOf(std::span<const Index> alike, bool arePolygons) const
   {
     std::vector<Index> compared;
@@ -277,7 +277,7 @@ private:
     return compared;
   }
 
-  /// What polygons of one surface repeat counts once; so does what triangles repeat.
+  /// Finds precedence. Polygons that one surface repeats count once, and so do triangles.
   void findPrecedence(bool arePolygons)
   {
     std::vector<Triangle> counted(soup.size());
@@ -304,7 +304,7 @@ private:
     precedence.emplace(findPlanarPatches(points, counted, surfaces), surfaces, count);
   }
 
-  /// Of a polygon's triangles, as those without area are in no patch.
+  /// Returns the largest triangle of a polygon, as triangles without area are in no patch.
   Index largestOf(Index first) const
   {
     Index largest = first;
@@ -319,7 +319,7 @@ private:
     return largest;
   }
 
-  /// Whether faces that coincide are the sides of two solids that face each other.
+  /// True if coincident faces are the sides of two solids that face each other.
   bool areOfTouchingSolids(Index one, Index other, bool arePolygons)
   {
     if (!areOpposite(one, other, arePolygons))
@@ -380,7 +380,7 @@ private:
         lowest.push_back(std::min({t[0], t[1], t[2]}));
       }
     }
-    std::vector<std::pair<std::uint64_t, Index>> candidates; // with the two corners that are not the lowest
+    std::vector<std::pair<std::uint64_t, Index>> candidates; // triangles with the two corners that are not the lowest
     forBuckets(lowest, [&](std::span<const Index> bucket) {
       candidates.clear();
       for (const Index i : bucket)
@@ -406,7 +406,7 @@ private:
     });
   }
 
-  /// Of triangles with the same corners.
+  /// True if triangles with the same corners are wound in opposite directions.
   static bool isTurned(const Triangle& a, const Triangle& b)
   {
     const auto at = std::find(b.begin(), b.end(), a[0]) - b.begin();
@@ -417,12 +417,12 @@ private:
   std::span<const Triangle> soup;
   std::span<const Index> faces;
   std::span<const Index> surfaces;
-  std::vector<Index> places; ///< of the points
-  /// Faces that coincide, list by list, and where the lists end.
+  std::vector<Index> places; ///< one entry per point
+  /// Coincident faces, list by list, and the ends of the lists.
   std::vector<Index> alikeFaces;
   std::vector<std::size_t> alikeEnds;
-  std::optional<FacePrecedence> precedence; ///< once it was needed
-  std::vector<std::vector<Index>> solids;   ///< once they were needed: by triangle, for either side of fronts
+  std::optional<FacePrecedence> precedence; ///< set on first use
+  std::vector<std::vector<Index>> solids;   ///< set on first use: one entry per triangle, for either side of fronts
   CoincidentFaces out;
 };
 

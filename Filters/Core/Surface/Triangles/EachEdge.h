@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Visits the edges of triangles with all their uses.
 #pragma once
 
 #include "Surface/Triangles/TriangleSoup.h"
 
 namespace atria {
 
-/// Calls visit(uses) for each edge, with its uses among those that are sorted.
+/// Calls visit(uses) for each edge, with all its uses. `uses` must be sorted.
 template <typename Visit> void eachEdge(std::span<const SoupEdgeUse> uses, Visit&& visit)
 {
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end)

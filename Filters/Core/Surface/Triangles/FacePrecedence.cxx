@@ -19,13 +19,13 @@ namespace {
 
 using Triangle = std::array<Index, 3>;
 
-/// Degrees between normals up to which triangles are in one plane. Facets of round walls differ by more, and what
-/// exporters round away by less.
+/// Degrees between normals up to which triangles are in one plane. Facets of round walls differ by more, and rounding
+/// by exporters changes less.
 constexpr double planarAngle = 0.5;
-/// Areas are equal up to this part of the smaller one. Copies of a face that were rounded or triangulated otherwise
+/// Part of the smaller area up to which areas are equal. Copies of a face that were rounded or triangulated otherwise
 /// differ by less.
 constexpr double equalRatio = 0.01;
-/// Planes at one point that are told apart.
+/// Largest number of planes that are told apart at one point.
 constexpr std::size_t mostPlanes = 32;
 
 bool areEqualAreas(double a, double b) { return std::abs(a - b) <= equalRatio * std::min(a, b); }
@@ -107,7 +107,7 @@ private:
     }
   }
 
-  /// Of triangles of one surface with the same corners, `point` the lowest of them, only one keeps its area.
+  /// Keeps the area of only one of the triangles of a surface with the same corners, `point` the lowest of them.
   void countOnce(Index point, std::span<const Index> triangles)
   {
     corners.clear();
@@ -131,7 +131,7 @@ private:
     }
   }
 
-  /// Of edges of which `point` is the lower end.
+  /// Marks surfaces as open at edges of which `point` is the lower end.
   void findOpenEdges(Index point, std::span<const Index> triangles)
   {
     edges.clear();
@@ -161,12 +161,12 @@ private:
   std::vector<double> areas;  ///< per triangle
   std::vector<char> isClosed; ///< per surface
   std::vector<Vec3> normals;
-  std::vector<Index> planes; ///< at a point, a triangle of each
+  std::vector<Index> planes; ///< one triangle of each plane at a point
   std::vector<std::tuple<Index, Triangle, Index>> corners;
   std::vector<std::pair<Index, Index>> edges;
 };
 
-/// Keeps of the candidates those with the least key, or with one that `isLeast(key, least)` takes for it.
+/// Keeps the candidates with the least key, or with one that `isLeast(key, least)` accepts as equal.
 template <typename KeyOf, typename IsLeast>
 void narrow(std::vector<std::size_t>& candidates, const KeyOf& keyOf, const IsLeast& isLeast)
 {

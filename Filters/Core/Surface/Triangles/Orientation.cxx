@@ -10,11 +10,11 @@ namespace atria {
 
 namespace {
 
-/// The triangle across each edge of each triangle; noIndex where the edge is not one of two triangles.
+/// The triangle across each edge of each triangle; noIndex if the edge does not have exactly two triangles.
 struct Neighbors
 {
   std::vector<std::array<Index, 3>> across;
-  /// Whether the triangle across is wound like this one.
+  /// True if the triangle across is wound like this one.
   std::vector<std::array<bool, 3>> alike;
 
   Neighbors(const TriangleSoup& soup, std::span<const SoupEdgeUse> all)
@@ -50,7 +50,7 @@ struct Piece
   bool twoSided = true;
 };
 
-/// The triangles connected with `first`; `turned` is set for those wound against it.
+/// Returns the triangles connected with `first`; sets `turned` for those wound against it.
 Piece pieceOf(Index first, const Neighbors& neighbors, std::vector<char>& seen, std::vector<char>& turned)
 {
   Piece piece;
@@ -86,7 +86,7 @@ Vec3 areaOf(const TriangleSoup& soup, Index t)
   return {static_cast<double>(normal.n[0]), static_cast<double>(normal.n[1]), static_cast<double>(normal.n[2])};
 }
 
-/// Whether the whole piece, as wound by `turned`, has to be turned over.
+/// True if the whole piece, as wound by `turned`, has to be turned over.
 bool mustTurnOver(const TriangleSoup& soup, const Piece& piece, const std::vector<char>& turned)
 {
   double volume = 0.0;
@@ -99,7 +99,7 @@ bool mustTurnOver(const TriangleSoup& soup, const Piece& piece, const std::vecto
     volume += (turned[t] ? -1.0 : 1.0) * area.dot(between(origin, soup.corner(t, 0)));
     (turned[t] ? against : kept) += area.norm();
   }
-  constexpr double tie = 1e-6; // areas of pieces add up but for rounding
+  constexpr double tie = 1e-6; // areas of pieces add up except for rounding
   return piece.closed ? volume < 0.0 : against > (1.0 + tie) * kept;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Makes the winding of triangles consistent.
 #pragma once
 
 #include "Surface/Triangles/TriangleSoup.h"
@@ -7,12 +8,12 @@
 
 namespace atria {
 
-/// Makes the winding of triangles that meet along edges of two triangles consistent, whatever surface they belong to. A
-/// piece without open or shared edges is turned outwards; of any other piece the winding of the greater area stays, of
-/// equal ones that of the first triangle. A piece that has but one side (a Moebius strip) stays as it is. Returns how
-/// many triangles were turned. O(n log n).
+/// Turns triangles so that those that meet along edges of two triangles are wound consistently, whatever surface they
+/// belong to. A piece without open or shared edges is turned outward. Any other piece keeps the winding of the greater
+/// area, or that of the first triangle if areas are equal. A piece with only one side (a Moebius strip) stays as it is.
+/// Returns the number of turned triangles. O(n log n).
 std::size_t orientTriangles(TriangleSoup& soup, const Executor& executor);
-/// The same where the uses of edges are known; they are kept up to date.
+/// The same with known uses of edges, which are kept up to date.
 std::size_t orientTriangles(TriangleSoup& soup, std::span<SoupEdgeUse> uses);
 
 } // namespace atria

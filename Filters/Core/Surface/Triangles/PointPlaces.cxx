@@ -10,7 +10,7 @@ namespace atria {
 
 std::vector<Index> placesOf(std::span<const Vec3> points, double step)
 {
-  // Adding and taking away 1.5 * 2^52 rounds, many times faster than std::round. Adding zero makes one of both zeros.
+  // Adding and subtracting 1.5 * 2^52 rounds, many times faster than std::round. Adding zero merges both zeros.
   constexpr double rounder = 6755399441055744.0;
   const double scale = step > 0.0 ? 1.0 / step : 1.0;
   const auto rounded = [&](const Vec3& p) -> Vec3 {

@@ -55,7 +55,7 @@ std::vector<Index> smoothPieces(std::span<const Vec3> points, std::span<const st
     const auto& [a, b, c] = triangles[i];
     return Vec3((points[b] - points[a]).cross(points[c] - points[a]).stableNormalized());
   };
-  constexpr double rounding = 1e-12; // so that planes that differ by the very angle are together
+  constexpr double rounding = 1e-12; // planes that differ by the very angle are together
   const double leastCosine = cosOfDegrees(degrees) - rounding;
   UnionFind pieces(triangles.size());
   const std::vector<EdgeUse> uses = edgeUses(triangles, groups, placesOf(points, 0.0));

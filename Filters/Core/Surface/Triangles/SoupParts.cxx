@@ -24,7 +24,7 @@ std::vector<Index> partsOf(const TriangleSoup& soup)
       boxes[sets.find(p)].extend(toVector(soup.points[p]));
     }
   }
-  std::vector<std::pair<double, Index>> sizes; // with the lowest point from high to low
+  std::vector<std::pair<double, Index>> sizes; // sizes of parts, equal ones by their lowest point from high to low
   for (Index p = 0; p < soup.points.size(); ++p)
   {
     const Vec3 length = boxes[p].empty() ? Vec3::Zero() : boxes[p].size();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds the connected parts of a soup.
 #pragma once
 
 #include "Surface/Triangles/TriangleSoup.h"
@@ -7,8 +8,8 @@
 
 namespace atria {
 
-/// The parts of a soup that are connected by common points, by the source of their triangles: numbers that grow with
-/// the greatest face of the part's box.
+/// Returns the part of each source of triangles. Parts are connected by common points; their numbers grow with the
+/// greatest face of the part's box.
 std::vector<Index> partsOf(const TriangleSoup& soup);
 
 } // namespace atria

@@ -9,7 +9,7 @@ std::vector<SoupEdgeUse> sortedEdgeUses(std::span<const std::array<Index, 3>> tr
                                         const Executor& executor)
 {
   constexpr std::size_t grain = 4096;
-  // Sides of triangles by the first points of their edges.
+  // Sides of triangles, by the first points of their edges.
   const Buckets sides = fillBuckets(pointCount, executor, [&](auto&& use) {
     executor.forEach(triangles.size(), grain, [&](std::size_t t) {
       for (Index i = 0; i < 3; ++i)

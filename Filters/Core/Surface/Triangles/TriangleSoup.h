@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Triangles on the lattice, as they pass from stage to stage of the repair.
+/// Holds triangles on the lattice as they pass from stage to stage of the repair.
 #pragma once
 
 #include "Grid/GridFrame.h"
@@ -18,7 +18,7 @@ struct TriangleSoup
   std::vector<std::array<Index, 3>> triangles;
   /// Per triangle: the surface it belongs to.
   std::vector<Index> surfaceIds;
-  /// Per triangle: the triangle it was first, or is a piece of; ascending.
+  /// Per triangle: the original triangle that it is or is a piece of; ascending.
   std::vector<Index> sources;
 
   const LatticePoint& corner(Index triangle, int i) const { return points[triangles[triangle][i]]; }
@@ -46,16 +46,16 @@ inline bool contains(const std::array<Index, 3>& triangle, Index point)
 
 inline bool hasRepeatedPoint(const std::array<Index, 3>& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
-/// From p to q; differences are exact in double.
+/// Returns the vector from p to q; differences are exact in double.
 inline Vec3 between(const LatticePoint& p, const LatticePoint& q)
 {
   return toVector({q[0] - p[0], q[1] - p[1], q[2] - p[2]});
 }
 
-/// In order.
+/// Returns the triangles at each point, in order.
 Buckets trianglesAtPoints(const TriangleSoup& soup);
 
-/// One use of an edge by a triangle; `forward` where the triangle runs from the lower point to the higher.
+/// One use of an edge by a triangle; `forward` if the triangle runs from the lower point to the higher.
 struct SoupEdgeUse
 {
   EdgeKey edge;
@@ -63,7 +63,7 @@ struct SoupEdgeUse
   bool forward;
 };
 
-/// All uses, sorted by edge and then by triangle. O(n), but for points at which many edges meet.
+/// Returns all uses, sorted by edge and then by triangle. O(n), except for points at which many edges meet.
 std::vector<SoupEdgeUse> sortedEdgeUses(std::span<const std::array<Index, 3>> triangles, std::size_t pointCount,
                                         const Executor& executor);
 std::vector<SoupEdgeUse> sortedEdgeUses(const TriangleSoup& soup, const Executor& executor);

@@ -59,7 +59,7 @@ std::vector<Index> PointWelder::addRest()
   return representatives;
 }
 
-/// Of the bin, or a free one.
+/// Returns the slot of the bin, or a free one.
 std::size_t PointWelder::slotOf(const LatticePoint& bin) const
 {
   std::uint64_t hash = 0;
@@ -90,7 +90,7 @@ Index PointWelder::findFrom(Index head, const LatticePoint& p) const
   return best;
 }
 
-/// In the bins about that of the point.
+/// Searches the bins around that of the point.
 Index PointWelder::findBeside(const LatticePoint& bin, const LatticePoint& p) const
 {
   const LatticePoint low = binOf({p[0] - distance, p[1] - distance, p[2] - distance});
@@ -114,7 +114,7 @@ Index PointWelder::findBeside(const LatticePoint& bin, const LatticePoint& p) co
   return best;
 }
 
-/// Room for so many points. One of each bin stands for its chain.
+/// Makes room for `count` points. One point of each bin stands for its chain.
 void PointWelder::reserve(std::size_t count)
 {
   next.resize(std::max(next.size(), count), noIndex);

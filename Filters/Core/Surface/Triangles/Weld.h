@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Merges points that are close to each other.
 #pragma once
 
 #include "Grid/GridFrame.h"
@@ -7,16 +8,16 @@
 
 namespace atria {
 
-/// Tells of points that are added one by one whether there is an earlier one within `distance` lattice units in each
-/// coordinate. The points are referred to, and may grow. O(1) on average for each.
+/// Finds, for points that are added one by one, an earlier one within `distance` lattice units in each coordinate.
+/// Keeps a reference to the points, which may grow. O(1) on average for each.
 class PointWelder
 {
 public:
   PointWelder(const std::vector<LatticePoint>& points, std::int64_t distance);
 
-  /// Adds the next point. Returns the first one that is kept and within the distance: itself where there is none.
+  /// Adds the next point. Returns the first kept point within the distance, or the point itself if there is none.
   Index addNext();
-  /// Of all points that are not added yet.
+  /// Adds all points that are not added yet, and returns one result for each.
   std::vector<Index> addRest();
 
 private:
@@ -31,13 +32,13 @@ private:
   int shift;
   std::size_t added = 0;
   /// Kept points by bin, in a hash table with linear probing. Bins are wide against the distance, so that nearly always
-  /// one has to be searched.
+  /// only one has to be searched.
   std::vector<Index> heads;
   std::vector<Index> next;
 };
 
-/// For each point the index of the first point that it is one with: itself, or an earlier kept point within `distance`
-/// lattice units in each coordinate. O(n) on average.
+/// Returns, for each point, the point it is merged with: an earlier kept point within `distance` lattice units in each
+/// coordinate, or itself. O(n) on average.
 std::vector<Index> weldPoints(const std::vector<LatticePoint>& points, std::int64_t distance);
 
 } // namespace atria

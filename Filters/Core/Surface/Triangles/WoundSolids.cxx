@@ -18,10 +18,9 @@ namespace {
 struct Side
 {
   Index triangle;
-  /// Counterclockwise about the edge, seen from its higher point: whether one comes to the triangle's back or its
-  /// front.
+  /// True if the triangle's back comes first, counterclockwise around the edge seen from its higher point.
   bool showsBack;
-  double angle = 0.0; ///< of the triangle about the edge
+  double angle = 0.0; ///< angle of the triangle around the edge
 };
 
 class Solids
@@ -72,7 +71,7 @@ private:
     }
   }
 
-  /// By angle; at one angle a solid ends before the next one begins.
+  /// Sorts sides by angle. A solid ends before the next one begins at the same angle.
   void sortAbout(const EdgeKey& edge, std::vector<Side>& sides) const
   {
     constexpr double sameAngle = 1e-6; // radians
@@ -106,7 +105,7 @@ private:
 
   std::vector<Index> numbered()
   {
-    constexpr double least = 1e-9; // of the sum of its parts without their signs
+    constexpr double least = 1e-9; // least volume, as a part of the sum of its parts without their signs
     std::vector<double> volumes(triangles.size(), 0.0);
     std::vector<double> sums(triangles.size(), 0.0);
     for (Index t = 0; t < triangles.size(); ++t)
@@ -132,7 +131,7 @@ private:
   std::span<const std::array<Index, 3>> triangles;
   Front front;
   UnionFind parts;
-  std::vector<char> isOpen; ///< by triangle
+  std::vector<char> isOpen; ///< one flag per triangle
 };
 
 } // namespace

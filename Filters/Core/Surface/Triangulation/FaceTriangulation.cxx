@@ -31,7 +31,7 @@ int dominantAxis(const LatticeNormal& normal)
   return size(0) > size(1) ? (size(0) > size(2) ? 0 : 2) : (size(1) > size(2) ? 1 : 2);
 }
 
-/// Triangles of the fan that have the same points bound nothing together, and are left out in pairs.
+/// Cuts the outline into a fan. Triangles with the same points bound nothing together, and are left out in pairs.
 void cutIntoFan(const DividedFace& face, std::vector<std::array<Index, 3>>& out)
 {
   const std::vector<Index> outline = outlineOf(face);
@@ -52,7 +52,7 @@ void cutIntoFan(const DividedFace& face, std::vector<std::array<Index, 3>>& out)
   }
 }
 
-/// One object a face.
+/// Triangulates one face.
 class Triangulator
 {
 public:
@@ -87,7 +87,8 @@ public:
   }
 
 private:
-  /// Measured from the corner: small numbers leave the filters of the predicates less to decide exactly.
+  /// Returns the point in the plane, relative to the first corner. With small numbers, the filters of the predicates
+  /// leave fewer cases to decide exactly.
   Vec2 project(Index id) const
   {
     const LatticePoint& origin = points[face.corners[0]];
@@ -97,8 +98,8 @@ private:
     return {static_cast<double>(p[u] - origin[u]), static_cast<double>(p[v] - origin[v])};
   }
 
-  /// A place for a point along edge i, on an arc that bends in from the edge a little. Rounded points may lie beyond
-  /// their edge; taken as they are, they would be joined to both of its ends, in a triangle without width.
+  /// Returns a place for a point along edge i, on an arc that bends in from the edge a little. Rounded points may lie
+  /// beyond their edge. They would then be joined to both of its ends, in a triangle without width.
   Vec2 placeAlong(int i, Index id) const
   {
     const Vec2 a = project(face.corners[i]);
@@ -143,7 +144,7 @@ private:
     return {places.size(), segments.size()};
   }
 
-  /// The point of the lattice nearest to one of the plane, put on the face's plane.
+  /// Returns the lattice point nearest to a point of the plane, put on the face's plane.
   Index lift(const PlanarTriangulation& plane, Index i)
   {
     ids.resize(plane.points.size(), noIndex);
@@ -171,7 +172,7 @@ private:
   int axis;
   double reach;
   std::map<Index, Index> numbers; ///< in the plane, of points
-  std::vector<Index> ids;         ///< of points in the plane
+  std::vector<Index> ids;         ///< lattice points of points in the plane
   std::vector<Vec2> places;
   std::vector<std::array<Index, 2>> segments;
 };

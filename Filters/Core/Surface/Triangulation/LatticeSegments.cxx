@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// One object a face.
+/// Cuts the segments of one face.
 class SegmentCutter
 {
 public:
@@ -96,7 +96,7 @@ private:
     std::vector<std::pair<double, Index>> on;
     for (auto p = begin; p != known.end() && points[*p][sweep] <= high(segment) + margin; ++p)
     {
-      // A crossing that fell together with a point of the face is as far from the segment as the two may be apart.
+      // A crossing that was merged with a point of the face is as far from the segment as the two may be apart.
       if (*p != segment.first && *p != segment.second && liesOnSegment(points[*p], a, b, 2.0 * weldReaches * reach))
       {
         on.emplace_back(between(a, b).dot(between(a, points[*p])), *p);

@@ -14,7 +14,7 @@ namespace atria {
 
 namespace {
 
-/// A vertex's point, which there is none of at first where segments cross; or a face's region.
+/// The point of a vertex, which is missing at first where segments cross; or the region of a face.
 struct Number
 {
   Index value = noIndex;
@@ -25,12 +25,12 @@ using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Number, Kernel>;
 using FaceBase =
     CGAL::Triangulation_face_base_with_info_2<Number, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-/// It knows into which edges a segment was cut.
+/// A triangulation that knows into which edges a segment was cut.
 template <typename Crossing>
 using Triangulation =
     CGAL::Constrained_triangulation_plus_2<CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, Crossing>>;
 
-/// One object a triangulation.
+/// Makes one triangulation.
 template <typename Crossing> class Plane
 {
 public:
@@ -114,7 +114,7 @@ private:
     }
   }
 
-  /// Edges of the outline that are walked an odd number of times.
+  /// Returns the edges of the outline that are walked an odd number of times.
   std::set<Edge> boundary() const
   {
     std::set<Edge> odd;
@@ -147,8 +147,8 @@ private:
     out.regionCount = hasOutline() ? 2 : out.regionCount;
   }
 
-  /// Gives the next region to all that is reached from a face. Each edge of an outline that is crossed changes sides;
-  /// without one, segments are not crossed.
+  /// Gives the next region number to all faces reached from the first one. Crossing an edge of an outline changes
+  /// sides. Without an outline, segments are not crossed.
   void flood(Face first, const std::set<Edge>& odd)
   {
     std::vector<Face> open{first};

@@ -15,8 +15,8 @@ namespace atria {
 
 namespace {
 
-/// The polygon moved and scaled into the unit box, so that neither national-grid nor millimeter coordinates
-/// cost digits.
+/// The polygon moved and scaled into the unit box, so that neither national-grid nor millimeter coordinates cost
+/// digits.
 struct Outline
 {
   std::vector<Index> ids;
@@ -24,7 +24,7 @@ struct Outline
   Vec3 normal = Vec3::Zero(); ///< Newell's: twice the vector area
 };
 
-/// Fills `out`; its memory is used again. False where there is nothing to triangulate.
+/// Fills `out` and reuses its memory. Returns false if there is nothing to triangulate.
 bool normalize(std::span<const Vec3> points, std::span<const Index> polygon, Outline& out)
 {
   out.ids.clear();
@@ -63,10 +63,11 @@ bool normalize(std::span<const Vec3> points, std::span<const Index> polygon, Out
   return true;
 }
 
-/// Rounding alone gives areas of this order in the unit box.
+/// Area in the unit box up to which it may be due to rounding alone.
 constexpr double noArea = 1e-14;
 
-/// Cuts a quad, with its points as in an Outline, in two where one of its diagonals lies inside; false otherwise.
+/// Cuts a quad, with its points as in an Outline, in two if one of its diagonals lies inside. Returns false if none
+/// does.
 bool cutQuad(std::span<const Index, 4> ids, std::span<const Vec3, 4> points, const Vec3& normal, PolygonTriangles& out)
 {
   const double least = noArea * normal.norm();
@@ -91,7 +92,8 @@ bool cutQuad(std::span<const Index, 4> ids, std::span<const Vec3, 4> points, con
   return true;
 }
 
-/// Cuts a quad in a fraction of the time that any polygon takes, with the same result; false where it takes more.
+/// Cuts a quad in a fraction of the time that any polygon takes, with the same result. Returns false if it needs the
+/// general way.
 bool cutPlainQuad(std::span<const Vec3> points, std::span<const Index, 4> ids, PolygonTriangles& out)
 {
   if (std::max({ids[0], ids[1], ids[2], ids[3]}) >= points.size())
@@ -134,7 +136,7 @@ std::vector<Vec2> project(const Outline& outline)
   return flat;
 }
 
-/// Edges between places that are walked an even number of times bound nothing.
+/// Returns the edges between places that are walked an odd number of times. All others bound nothing.
 std::vector<std::array<Index, 2>> oddEdges(const std::vector<Vec2>& flat)
 {
   std::map<std::pair<double, double>, Index> places;
@@ -171,8 +173,8 @@ bool isInside(const std::vector<Vec2>& flat, const Vec2& p)
   return inside;
 }
 
-/// The general way. Where edges are missing from the triangulation it does not know the sides: each triangle's center
-/// is asked for.
+/// Triangulates any outline. If it crosses itself, edges are missing from the triangulation, which then does not know
+/// its sides: each triangle's center is tested instead.
 PolygonTriangles triangulateOutline(const Outline& outline)
 {
   const std::vector<Vec2> flat = project(outline);
@@ -191,7 +193,7 @@ PolygonTriangles triangulateOutline(const Outline& outline)
   return out;
 }
 
-/// Whether corners are not all in a line.
+/// True if corners are not all in a line.
 bool isWide(const Outline& outline)
 {
   const Vec3& first = outline.points.front();
@@ -205,7 +207,7 @@ bool isWide(const Outline& outline)
   return false;
 }
 
-/// Whether a triangle passes as a polygon does, in a fraction of the time.
+/// True if a triangle is a valid polygon; takes a fraction of the time of the general way.
 bool hasArea(std::span<const Vec3> points, std::span<const Index> t)
 {
   const std::size_t last = std::max({t[0], t[1], t[2]});
@@ -244,7 +246,7 @@ void triangulatePolygon(std::span<const Vec3> points, std::span<const Index> pol
       return;
     }
   }
-  static thread_local Outline outline; // asking for memory would take most of the time
+  static thread_local Outline outline; // allocation would take most of the time
   out.triangles.clear();
   out.simple = true;
   if (!normalize(points, polygon, outline))
