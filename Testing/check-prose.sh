@@ -37,6 +37,7 @@ find "$@" \( -name '*.h' -o -name '*.cxx' \) -print0 | sort -z | xargs -0 awk -v
     ++silent
     if (list) print file ":2: the header does not say what it is for"
   }
+  /SPDX-License-Identifier/ { next }
   /^[[:space:]]*\/\/+/ {
     if (comment == "") line = FNR
     text = $0

@@ -17,6 +17,9 @@ class vtkUnstructuredGrid;
 /// Polyhedra have lists of faces, as vtkCellArray, in place of a stream.
 #define ATRIA_VTK_HAS_FACE_LISTS (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0))
 
+/// The pipeline sends the last progress event also after an abort.
+#define ATRIA_VTK_ENDS_ABORTED_RUNS (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0))
+
 namespace atria {
 
 class IdView;

@@ -6,6 +6,7 @@
 #include "Support/TestPaths.h"
 #include "Support/VtkErrorGuard.h"
 #include "SurfaceInput.h"
+#include "VtkVersions.h"
 #include "vtkAtriaDualMesher.h"
 #include "vtkAtriaFeatureGraph.h"
 #include "vtkAtriaMeshOptimizer.h"
@@ -268,8 +269,8 @@ TEST_P(EveryFilter, AbortedAtAnyEventLeavesNothingAndTheNextUpdateGivesAll)
         break;
       }
       ASSERT_TRUE(heard.aborted);
-      // Later versions of VTK say in any case that all is done.
-      EXPECT_LE(heard.fractions.back() == 1.0 ? count - 1 : count, n + 1);
+      const bool hasEnd = ATRIA_VTK_ENDS_ABORTED_RUNS && heard.fractions.back() == 1.0;
+      EXPECT_LE(hasEnd ? count - 1 : count, n + 1);
     }
     EXPECT_TRUE(isEmpty(filter));
     // Nothing is modified: what was aborted is still asked for.

@@ -277,9 +277,9 @@ TEST(VRMLCoin, ReadsTheSame)
     }
     const auto known = disagreements().find(path);
     const bool isKnownToCrash = known != disagreements().end() && known->second.difference == Difference::Crashes;
-    if (coin.crashed && !isKnownToCrash)
+    if (coin.crashed && !isKnownToCrash && ATRIA_COIN_VERSION != std::string("4.0.0"))
     {
-      // Coin built with the checks of its standard library ends at indices that are out of range.
+      // What crashes is known of 4.0.0. Coin 4.0.7 also ends at indices that are out of range.
       EXPECT_NE(warnings, "");
       continue;
     }
