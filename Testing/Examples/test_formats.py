@@ -16,7 +16,7 @@ import tempfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkUnstructuredGrid
 from vtkmodules.vtkIOCGNSReader import vtkCGNSReader
 from vtkmodules.vtkIOGeometry import vtkFLUENTReader, vtkOpenFOAMReader
 from vtkmodules.vtkIOXML import vtkXMLPartitionedDataSetCollectionReader
