@@ -3,7 +3,7 @@
 # meshes half of the wind tunnel, runs OpenFOAM and writes tables. Everything goes to build/validation.
 #
 #   run.sh           one mesh of 86,000 elements: some minutes
-#   run.sh --study   all rows of docs/validation.md: an hour or two. It goes on where it stopped; rows may be named
+#   run.sh --study   all rows of docs/records/validation.md: an hour or two. It goes on where it stopped; rows may be named
 set -euo pipefail
 
 study=Examples/SquareBuilding/study.py

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tables of docs/validation.md: wind about a square building, by meshes of several kinds, against measurement.
+"""The tables of docs/records/validation.md: wind about a square building, by meshes of several kinds, against measurement.
 
 Each row has its mesh made, its case run by OpenFOAM on one processor, and what was measured written as JSON to
 OUT/results. Rows that are there are not made again, so that the study goes on where it stopped. A row that fails is

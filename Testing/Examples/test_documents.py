@@ -12,7 +12,7 @@ import sys
 import unittest
 
 SOURCE, ATRIA = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
-DOCUMENTS = [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *sorted((SOURCE / "docs").glob("*.md"))]
+DOCUMENTS = [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *sorted((SOURCE / "docs").glob("**/*.md"))]
 SOURCES = ("Filters", "IO", "ParaViewPlugin", "Examples", "Testing", ".ci", "docs/pictures", "docs/site")
 # Names of VTK and of IFC, and options of other programs: Python's venv and pip, our tests.
 OTHERS = re.compile(r"vtk(?!Atria)\w+|Ifc\w+")

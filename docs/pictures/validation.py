@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the profiles of docs/validation.md from the results of Examples/SquareBuilding/run.sh --study.
+"""Draws the profiles of docs/records/validation.md from the results of Examples/SquareBuilding/run.sh --study.
 
 Usage: validation.py RESULTS OUTPUT
 """

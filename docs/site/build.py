@@ -17,11 +17,11 @@ import reference
 
 CONTENTS = {
     "Use": ["docs/tutorial", "docs/gallery", "docs/building", "docs/paraview", "docs/choosing", "docs/formats", "docs/cases",
-            "docs/troubleshooting"],
+            "docs/ventilation", "docs/troubleshooting"],
     "Reference": ["reference/commands", "reference/filters", "docs/arrays", "docs/formats", "docs/glossary", "CHANGELOG"],
-    "Background": ["docs/comparison", "docs/results", "docs/ventilation", "docs/validation", "docs/benchmarks",
-                   "docs/benchmarks-smooth", "docs/ranks", "docs/algorithm", "docs/decisions"],
-    "Develop": ["CONTRIBUTING", "docs/architecture", "docs/testing", "docs/constants"],
+    "Develop": ["CONTRIBUTING", "docs/architecture", "docs/algorithm", "docs/ranks", "docs/constants", "docs/testing"],
+    "Records": ["docs/records/results", "docs/records/comparison", "docs/records/benchmarks", "docs/records/benchmarks-smooth",
+                "docs/records/validation", "docs/records/decisions"],
 }
 
 
