@@ -39,6 +39,7 @@ import atria
 LONGEST = 900  # seconds that a mesher may take
 ASKED = 25  # times snappyHexMesh
 SLOWEST = ("crossings", "layers")
+LONGEST_STAGES = ("surface", *SLOWEST)
 ACROSS = 60  # octants of the smallest size along a model
 OTHERS = ("d01_castle_blender_v97.wrl", "d09_nonplanar_quads_sci.wrl.gz", "d10_forest_v1_crlf.wrl", "d13_sketchup_car_door.wrl",
           "d14_labo1/pipes.wrl", "d14_labo1/rack1.wrl", "d14_labo1/tank.wrl", "d19_single_line_arrays.wrl",
@@ -181,10 +182,20 @@ def bound_of(result, peer):
     return result["elements"] / rest / rate(peer)
 
 
+def shortened(check):
+    """What checkMesh prints of a check that fails, in a few words."""
+    if found := re.match(r"Max skewness = ([\d.]+)", check):
+        return f"skewness {float(found[1]):.1f}"
+    for text, words in (("small determinant", "small determinants"), ("Concave", "concave cells"), ("interpolation weight", "small weights")):
+        if text in check:
+            return words
+    return check
+
+
 def cells_of(result, layers):
     if "refused" in result:
         return [result["refused"], "", "", "", ""]
-    failed = ", ".join(result["failed"]) or "Mesh OK"
+    failed = ", ".join(map(shortened, result["failed"])) or "Mesh OK"
     return [f"{result['elements']:,}", f"{result['processor']:.1f}", f"{rate(result):,.0f}",
             f"{100 * result['covered']:.0f} %" if layers else "", failed]
 
@@ -199,13 +210,14 @@ def report(results):
     mean = math.exp(sum(math.log(value) for value, _ in rates if value) / len(rates))
     lines = [
         "# Benchmarks", "",
-        "Models as people draw them; [smooth and aligned ones](benchmarks-smooth.md) are apart. Written by",
-        "`Testing/Benchmarks/real_models.py`: whole commands on one thread, from the file of the model to the mesh as files of",
-        "OpenFOAM, with quality and judgment, against snappyHexMesh with the same sizes, domain and thickness of layers, from its",
-        f"STL on. Sizes are the model's length / {ACROSS} at edges, twice that at surfaces, four times away from them; of the buildings",
-        "1, 2 and 8 m. Seconds are of the processor. Layers: the part of the walls' area with all of them (of snappyHexMesh the mean",
-        "number over those asked for). Checks are those of `checkMesh -allGeometry -allTopology` that fail.",
+        "Models as people draw them, written by `Testing/Benchmarks/real_models.py`;",
+        "[smooth and aligned ones](benchmarks-smooth.md) are apart. Runs are whole commands on one thread, from the file of the model to",
+        "the mesh as files of OpenFOAM, against snappyHexMesh from STL on with the same sizes, domain and thickness of layers.",
         f"{m['processor']}, {m['cores']} cores, {m['date']}.", "",
+        f"- Sizes: the model's length / {ACROSS} at edges, twice that at surfaces, four times away from them; of buildings 1, 2 and 8 m.",
+        "- Seconds are of the processor.",
+        "- Layers: the part of the walls' area with all of them; of snappyHexMesh the mean number over the requested one.",
+        "- Checks: those of `checkMesh -allGeometry -allTopology` that fail.", "",
         row("headline", "got"), row("---", "---")]
     for name, ratio in sorted(ratios.items(), key=lambda item: item[1])[:1]:
         lines.append(row("Elements a second of the processor over snappyHexMesh's, the worst of all models", f"{ratio:.1f} times, {name}"))
@@ -228,10 +240,11 @@ def report(results):
             lines.append(row(name if own else "", f"{result['triangles']:,}" if own else "", mesher,
                              *cells_of(result[mesher], result["layers"]), f"{ratios[name]:.1f}" if own and name in ratios else ""))
     lines += ["", "Where Atria's time goes, in seconds, and how many times snappyHexMesh it would be if crossings and layers took none:", ""]
-    stages = [s for s in next(iter(found.values()))["Atria"]["seconds"] if s not in ("Total",)]
-    lines += [row("model", *stages, "times at most"), row(*["---"] * (len(stages) + 2))]
-    lines += [row(name, *(f"{r['Atria']['seconds'].get(s, 0.0):.2f}" for s in stages), f"{bounds[name]:.1f}" if name in bounds else "")
-              for name, r in found.items() if "seconds" in r["Atria"]]
+    lines += [row("model", *LONGEST_STAGES, "others", "times at most"), row(*["---"] * (len(LONGEST_STAGES) + 3))]
+    for name, seconds in ((name, r["Atria"]["seconds"]) for name, r in found.items() if "seconds" in r["Atria"]):
+        longest = [seconds.get(stage, 0.0) for stage in LONGEST_STAGES]
+        others = sum(seconds.values()) - seconds.get("Total", 0.0) - sum(longest)
+        lines.append(row(name, *(f"{s:.2f}" for s in (*longest, others)), f"{bounds[name]:.1f}" if name in bounds else ""))
     return "\n".join(lines) + "\n"
 
 

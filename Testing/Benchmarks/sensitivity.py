@@ -21,6 +21,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import textwrap
 import time
 
 import numpy
@@ -196,39 +197,57 @@ def near(boxes):
     return {(x + i, y + j, z + k) for x, y, z in boxes for i in steps for j in steps for k in steps}
 
 
-COLUMNS = (("invalid", "invalid", "{:+.0f}"), ("angle", "worst angle, °", "{:+.1f}"), ("mean", "mean angle, °", "{:+.2f}"),
-           ("skewness", "skewness", "{:+.2f}"), ("jacobian", "scaled Jacobian", "{:+.2f}"),
-           ("coverage", "layers, %", "{:+.1f}"), ("area", "area, %", "{:+.2f}"), ("curves", "curves, %", "{:+.1f}"),
-           ("missed", "diagnostics", "{:+.0f}"), ("elements", "elements, %", "{:+.1f}"))
+COLUMNS = (("angle", "worst angle, °", "{:+.1f}"), ("skewness", "skewness", "{:+.2f}"), ("curves", "curves, %", "{:+.1f}"))
 
 
-def row(constant, sign, by_model, seconds):
-    """One line of the table: of each figure the greatest change in any model."""
-    differing = [model["differs"] for model in by_model.values() if model["differs"]]
-    meshed = [differs for differs in differing if differs != "not meshed"]
-    cells = [form.format(max((m[key] for m in meshed), key=abs, default=0.0)) for key, _, form in COLUMNS]
-    cells = ["" if not float(cell) else cell for cell in cells]
-    models = f"{len(differing)}" + (f", {len(differing) - len(meshed)} not meshed" if len(meshed) < len(differing) else "")
-    time_change = 100.0 * sum(model["seconds"] for model in by_model.values()) / seconds
-    return " | ".join((f"| `{constant.file}` `{constant.name}`", constant.value, sign, models, *cells, f"{time_change:+.0f} |"))
+def cell(values, none):
+    """Of the smaller and the larger constant; `none` where neither changes anything."""
+    return none if set(values) == {"0"} else "/".join(values)
+
+
+def meshed(by_model):
+    return [found["differs"] for found in by_model.values() if found["differs"] not in (None, "not meshed")]
+
+
+def greatest(by_model, key, form):
+    text = form.format(max((differs[key] for differs in meshed(by_model)), key=abs, default=0.0))
+    return text if float(text) else "0"
+
+
+def count(by_model):
+    """How many meshes differ, and how many of them are not made."""
+    differing = sum(bool(found["differs"]) for found in by_model.values())
+    failed = differing - len(meshed(by_model))
+    return f"{differing}" + (f" ({failed} not meshed)" if failed else "")
+
+
+def row(constant, changes, seconds):
+    """One line of the table: of each figure the greatest change in any model, of the smaller and the larger constant."""
+    signs = [changes[sign] for sign in SIGNS]
+    cells = [cell([greatest(by_model, key, form) for by_model in signs], "") for key, _, form in COLUMNS]
+    times = [f"{100.0 * sum(found['seconds'] for found in by_model.values()) / seconds:+.0f}" if count(by_model) != "0" else "–"
+             for by_model in signs]
+    return " | ".join((f"| `{constant.file}` `{constant.name}`", constant.value, cell([count(by_model) for by_model in signs], "0"),
+                       *cells, "/".join(times) + " |"))
 
 
 def table(constants, results):
-    """Those that nothing notices come last, in a list."""
-    lines = ["| constant | value | change | models | " + " | ".join(title for _, title, _ in COLUMNS) + " | time, % |",
-             "|" + "---|" * (5 + len(COLUMNS))]
-    silent, unmeasured = [], 0
+    """Those that nothing notices come last, in a list by file."""
+    lines = ["| constant | value | models | " + " | ".join(title for _, title, _ in COLUMNS) + " | time, % |",
+             "|" + "---|" * (4 + len(COLUMNS))]
+    silent, unmeasured = {}, 0
     for constant in constants:
         changes = results["changes"].get(constant.key)
         if not changes:
             unmeasured += 1
-            continue
-        noticed = {sign: by for sign, by in changes.items() if any(model["differs"] for model in by.values())}
-        lines += [row(constant, sign, by_model, results["seconds"]) for sign, by_model in noticed.items()]
-        if not noticed:
-            silent.append(f"- `{constant.file}` `{constant.name}` = {constant.value}")
-    return "\n".join([*lines, "", f"Nothing in these meshes notices {len(silent)} constants ({unmeasured} more are not measured):",
-                      "", *silent, ""])
+        elif any(model["differs"] for by_model in changes.values() for model in by_model.values()):
+            lines.append(row(constant, changes, results["seconds"]))
+        else:
+            silent.setdefault(constant.file, []).append(f"`{constant.name}` {constant.value}")
+    names = [textwrap.fill(f"- `{file}`: " + ", ".join(found), 118, subsequent_indent="  ", break_long_words=False,
+                           break_on_hyphens=False) for file, found in silent.items()]
+    return "\n".join([*lines, "", f"Nothing in these meshes notices {sum(map(len, silent.values()))} constants "
+                      f"({unmeasured} more are not measured):", "", *names, ""])
 
 
 def write_report(file, text):

@@ -38,18 +38,27 @@ def comparison(found):
                              f"{result['wall'] / ours['wall']:.1f}" if ours else ""))
     covered = [r["covered"] for r in found.get("snappyHexMesh", {}).values() if r and "covered" in r]
     if covered:
-        lines += ["", f"snappyHexMesh's layer is on {100 * min(covered):.0f} % of the faces asked for."]
+        lines += ["", f"snappyHexMesh's layer is on {100 * min(covered):.0f} % of the requested faces."]
     return lines
+
+
+def rises(peaks):
+    """Phases in which the peak rises by a tenth of its last value since the one listed before."""
+    before, last = 0.0, peaks[-1][1]
+    for phase, peak in peaks:
+        if peak >= before + 0.1 * last:
+            yield phase, peak
+            before = peak
 
 
 def stages(found):
     lines = [row("stage", "s, 1 thread", "s, 2 threads"), row("---", "---", "---")]
     one, two = (found["Atria"].get(n) for n in ("1", "2"))
-    for stage in (one or two)["stages"]:
+    for stage in list((one or two)["stages"])[1:]:  # reading takes milliseconds
         lines.append(row(stage, *(f"{r['stages'][stage]:.3f}" if r else "" for r in (one, two))))
     lines += ["", row("while", "peak memory, bytes an element"), row("---", "---")]
     result = one or two
-    return lines + [row(phase or "Starting", f"{peak / result['elements']:.0f}") for phase, peak in result["peaks"]]
+    return lines + [row(phase or "Starting", f"{peak / result['elements']:.0f}") for phase, peak in rises(result["peaks"])]
 
 
 AFTER = {"quality": "the quality filter", "write_vtu": "writing .vtu", "write_openfoam": "writing OpenFOAM's files"}
@@ -74,25 +83,15 @@ def verdicts(results, cases):
         found = results["meshers"].get(case.name, {})
         ours, theirs = (found.get(m, {}).get("2") for m in ("Atria", "snappyHexMesh"))
         bare = results["meshers"].get(case.bare, {}).get("snappyHexMesh", {}).get("2")
-        if ours and theirs:
-            aim = f"{case.target:g} times" if case.target else "how many times"
-            lines.append(row(f"{case.title}: {aim} faster than snappyHexMesh, 2 threads",
+        if ours and theirs and case.target:
+            lines.append(row(f"{case.title}: {case.target:g} times faster than snappyHexMesh, 2 threads",
                              f"{theirs['wall'] / ours['wall']:.1f} times"))
         if ours and bare:
             lines.append(row(f"{case.title}: the same, but snappyHexMesh grows none",
                              f"{bare['wall'] / ours['wall']:.1f} times"))
-        one, single = (found.get(m, {}).get("1") for m in ("Atria", "snappyHexMesh"))
-        if one and single:
-            ratio = one["elements"] / one["processor"] / (single["elements"] / single["processor"])
-            lines.append(row(f"{case.title}: elements a second of the processor, one thread, over snappyHexMesh's",
-                             f"{ratio:.1f} times"))
+        one = found.get("Atria", {}).get("1")
         if case.name == "uniform" and one and ours:
             lines.append(row("1.7 times over one thread, uniform", f"{one['wall'] / ours['wall']:.2f} times"))
-        after_it = results.get("after", {}).get(case.name, {}).get("2", {})
-        for key in ("write_vtu", "write_openfoam"):
-            if ours and key in after_it:
-                lines.append(row(f"{case.title}: {AFTER[key]} at most once its meshing, 2 threads",
-                                 f"{after_it[key] / ours['wall']:.2f} times"))
         limit = {"uniform": 350, "adaptive": 600}.get(case.name)
         if limit and one:
             lines.append(row(f"At most {limit} B an element, {case.name}", f"{one['bytes'] / one['elements']:.0f} B"))
@@ -114,6 +113,12 @@ def growth(series, key):
     return lines
 
 
+def without_repeats(found, case, bare):
+    """Results but those of peers that another case has: gmsh grows no layer in any."""
+    return {mesher: by_threads for mesher, by_threads in found.items()
+            if mesher == "Atria" or not (case.like or mesher == "gmsh" and case.name in bare)}
+
+
 def octrees(series):
     lines = [row("octree and 2:1 balance of", "leaves", "s of the processor", "leaves a s"), row(*["---"] * 4)]
     return lines + [row(r["name"].replace("/", ", depth "), f"{r['leaves']:,}", f"{r['seconds']:.4f}",
@@ -124,28 +129,31 @@ def report(results, cases):
     m = results["machine"]
     lines = [
         "# Benchmarks of smooth and aligned models", "",
-        "Written by `Testing/Benchmarks/compare.py`. All figures are of one run of it, so ratios hold between them; seconds hold for",
-        f"this machine: {m['processor']}, {m['cores']} cores, {m['memory'] / 2**30:.0f} GB, {m['system']}, {m['date']}, load "
-        f"{m['load']:.1f} before.", "",
-        "Atria's time is that of the whole process, from the file to the mesh as VTK data, nothing written; of snappyHexMesh it ends",
-        "before the mesh is written, and gmsh writes none. gmsh's elements are tetrahedra and have no layer. snappyHexMesh is asked for",
-        "the same layer as Atria, of the building on the sheets only. Bytes are the peak of resident memory, of all processes together.",
-        "With 30° and 0.75 the layer of the sphere is as good as snappyHexMesh's faces there (27-40° and 0.69-0.80); unasked, 20° and",
-        "0.5 are aimed at, which takes longer.", ""]
+        "Written by `Testing/Benchmarks/compare.py` in one run:",
+        f"{m['processor']}, {m['cores']} cores, {m['memory'] / 2**30:.0f} GB, {m['date']}, load {m['load']:.1f} before.", "",
+        "- Times are of whole processes, from the file to the mesh in memory.",
+        "- gmsh makes tetrahedra without layers. snappyHexMesh has Atria's layer, on the building at the sheets only.",
+        "- Bytes are the peak of resident memory of all processes, by stage where it rises by a tenth.",
+        "- Atria aims at 20° and a skewness of 0.5 at the sphere. With 30° and 0.75 its layer is as good as snappyHexMesh's (27–40° and",
+        "  0.69–0.80).", ""]
     if m["load"] > 0.5:
         lines += ["Other programs kept the machine busy. Seconds of the processor hold nevertheless; those of the clock, and with them what",
                   "several threads gain, do not.", ""]
     lines += verdicts(results, cases)
+    bare = {case.bare for case in cases}
     for case in cases:
         if found := results["meshers"].get(case.name):
-            lines += ["", f"## {case.title}", "", *comparison(found)]
-            if any(r and "stages" in r for r in found["Atria"].values()):
+            lines += ["", f"## {case.title}", "", *comparison(without_repeats(found, case, bare))]
+            staged = [r for r in found["Atria"].values() if r and "stages" in r]
+            if staged and not (case.like or case.name in bare):
                 lines += ["", *stages(found)]
+            elif staged:  # of the same model and sizes as a case before
+                lines += ["", f"Layers take {' and '.join(format(r['stages']['layers'], '.3f') for r in staged)} s, other stages as above."]
             if by_threads := results.get("after", {}).get(case.name):
                 lines += ["", *after(by_threads, found["Atria"])]
     if series := results.get("octrees"):
-        lines += ["", "## Octree and balance, one core", "", "Across faces, edges and corners, of the same refinement.", "",
-                  *octrees(series)]
+        lines += ["", "## Octree and balance, one core", "", "Across faces, edges and corners.", "",
+                  *octrees(series[-2:])]  # the deepest
     for name, series in results.get("elements", {}).items():
         lines += ["", f"## Growth with elements, {name} sphere, one thread", "", *growth(series, "elements")]
     if series := results.get("triangles"):

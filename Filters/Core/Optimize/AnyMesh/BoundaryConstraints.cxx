@@ -57,7 +57,7 @@ BoundaryConstraints::Reach BoundaryConstraints::findReach(Index point) const
   return reach;
 }
 
-/// The edges at a point and at their other ends.
+/// Returns the kept edges at a point and at their other ends; not beyond corners.
 std::vector<Index> BoundaryConstraints::edgesNear(Index point) const
 {
   std::vector<Index> edges;
@@ -76,7 +76,7 @@ std::vector<Index> BoundaryConstraints::edgesNear(Index point) const
   return edges;
 }
 
-/// The faces at a point, and those of the same chart at their corners.
+/// Returns the faces at a point, and those of the same chart at their corners.
 std::vector<Index> BoundaryConstraints::facesNear(Index point) const
 {
   std::vector<Index> faces;
@@ -97,7 +97,8 @@ std::vector<Index> BoundaryConstraints::facesNear(Index point) const
   return faces;
 }
 
-/// A face is the triangles about the mean of its corners, as where it is measured.
+/// Returns the point of a face that is nearest to p. A face consists of triangles around the mean of its corners, as in
+/// its measures.
 Vec3 BoundaryConstraints::nearestOnFace(Index face, const Vec3& p) const
 {
   const auto points = mesh_.face(features_.faces[face]);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Keeps the boundary of any mesh in shape while its points move.
 #pragma once
 
 #include "Optimize/AnyMesh/BoundaryFeatures.h"
@@ -6,13 +7,13 @@
 
 namespace atria {
 
-/// Keeps the boundary of a mesh as it was: its corners stay, points on an edge that is kept slide along it, the others
-/// along the smooth piece of the boundary they are on, all within two faces or edges of where they were.
+/// Keeps the boundary of a mesh in shape. Corners stay, points on kept edges slide along these, other boundary points
+/// slide on their smooth piece of the boundary. All stay within two faces or edges of where they were.
 class BoundaryConstraints : public VertexConstraints
 {
 public:
-  /// Both must outlive the constraints, and the points must stay as they are as long as places are asked for. If
-  /// `fixed`, no point of the boundary moves.
+  /// `mesh` and `features` must outlive the constraints. The points of the mesh must not change while place() is
+  /// called. If `fixed`, no point of the boundary moves.
   BoundaryConstraints(const FaceMesh& mesh, const BoundaryFeatures& features, bool fixed);
 
   void prepare(std::span<const Index> points, const RunContext& context) override;
@@ -21,7 +22,7 @@ public:
   Vec3 place(Index point, const Vec3& p) const override;
 
 private:
-  /// Faces or edges by their numbers in the features, and the coordinates that are the same all over them.
+  /// Faces or edges, as indices into the lists of the features, and the axes on which they all have one coordinate.
   struct Reach
   {
     std::vector<Index> pieces;

@@ -13,10 +13,10 @@ namespace atria {
 
 namespace {
 
-/// Cosine of the angle between what folds back onto itself and its mirror image.
+/// Cosine between a face or edge and its reversed neighbor from which on it is folded back onto that.
 constexpr double folded = 1.0 - 1e-4;
 
-/// Sorts the pairs (list, number) into lists.
+/// Sorts pairs (list, number) into lists.
 Buckets makeLists(std::size_t lists, const std::vector<std::array<Index, 2>>& pairs)
 {
   return fillBuckets(lists, SerialExecutor(), [&](auto&& use) {
@@ -49,7 +49,7 @@ public:
   }
 
 private:
-  /// An edge of a face by the leaders of its ends, the lesser first.
+  /// An edge of a face, by the leaders of its ends, the smaller first.
   struct Side
   {
     Index a, b, face;
@@ -98,7 +98,7 @@ private:
     }
   }
 
-  /// Points of one cell that are in one place are to be moved apart.
+  /// Makes points lead themselves if a cell has two of them in one position, because these must move apart.
   void partCollapsed()
   {
     std::vector<char> collapsed(mesh.points.size(), 0);
@@ -133,7 +133,7 @@ private:
     }
   }
 
-  /// How far a boundary face looks out of its cell: a cosine.
+  /// Returns the cosine between the normal of a boundary face and the direction out of its cell.
   double outwardness(std::size_t face) const
   {
     Vec3 middle = Vec3::Zero();
@@ -277,12 +277,13 @@ private:
     return passes ? BoundaryKind::curve : BoundaryKind::corner;
   }
 
-  /// Sets of faces about a point that are connected through edges at the point which are not kept.
+  /// Returns the number of sets of faces around a point that are connected through edges at the point that are not
+  /// kept.
   std::size_t fansAbout(Index p) const
   {
     const auto about = out.facesAbout.of(p);
     UnionFind fans(about.size());
-    // Per face the other ends of its two edges at the point.
+    // One entry per face: the other ends of its two edges at the point.
     std::vector<std::array<Index, 2>> ends;
     for (const Index f : about)
     {
@@ -320,7 +321,7 @@ private:
     return count;
   }
 
-  /// Such as the tip of a cone.
+  /// True if the normals around a point differ from their mean by more than the feature angle, as at the tip of a cone.
   bool isPointed(Index p) const
   {
     const auto about = out.facesAbout.of(p);
@@ -334,7 +335,7 @@ private:
         about, [&](Index f) { return !normals[f].isZero() && std::abs(normals[f].dot(mean)) < smooth; });
   }
 
-  /// Whether the way over two edges turns little at a point, or goes back along itself as in a tangled mesh.
+  /// True if the path over two edges turns little at a point, or goes back along itself as in a tangled mesh.
   bool isStraight(Index p, Index first, Index second) const
   {
     const auto wayAlong = [&](Index edge) {
@@ -353,11 +354,11 @@ private:
   double smooth; ///< cosine of the feature angle
   const RunContext& context;
   BoundaryFeatures out;
-  /// Per entry of out.faces.
+  /// One entry per face in out.faces.
   std::vector<char> turnedOver;
   std::vector<std::array<Index, 2>> patchesOf;
   std::vector<Vec3> normals;
-  /// Per entry of out.edges.
+  /// One entry per edge in out.edges.
   std::vector<Index> facesAtEdge;
 };
 

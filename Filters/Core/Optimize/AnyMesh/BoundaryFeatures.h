@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the points on the boundary of any mesh are on, as far as the mesh itself tells.
+/// Finds the edges, corners and smooth pieces of the boundary of any mesh.
 #pragma once
 
 #include "Quality/Faces/Geometry.h"
@@ -14,30 +14,33 @@ namespace atria {
 enum class BoundaryKind : std::uint8_t
 {
   inside,  ///< not on the boundary
-  surface, ///< on one smooth piece of it
-  curve,   ///< on an edge that is kept
-  corner   ///< where kept edges meet, end or turn, or the boundary is pointed
+  surface, ///< on one smooth piece of the boundary
+  curve,   ///< on a kept edge
+  corner   ///< kept edges meet, end or turn there, or the boundary is pointed or touches itself
 };
 
 struct BoundaryFeatures
 {
-  /// Per point of the mesh. Points on the boundary that are in the same place, such as those on the two sides of a
-  /// sheet, have one leader, the first of them, unless a cell has two of them. All others lead themselves.
+  /// One entry per point of the mesh. Boundary points in one position, such as those on the two sides of a sheet, have
+  /// the first of them as their leader, unless a cell has two of them. All other points lead themselves.
   std::vector<Index> leaders;
-  std::vector<BoundaryKind> kinds; ///< per leader
-  /// Boundary faces by their number in the mesh, only one of those that have the same leaders; and the smooth piece of
-  /// the boundary each belongs to.
+  std::vector<BoundaryKind> kinds; ///< one entry per point, valid for leaders
+  /// Boundary faces by their numbers in the mesh, and the smooth piece of the boundary that each belongs to. Faces with
+  /// the same leaders are listed once.
   std::vector<Index> faces;
   std::vector<Index> charts;
-  Buckets facesAbout; ///< by leader, into `faces`
-  /// Edges that are kept, by the leaders of their ends.
+  Buckets facesAbout; ///< one list per leader, of indices into `faces`
+  /// Kept edges, by the leaders of their ends.
   std::vector<std::array<Index, 2>> edges;
-  Buckets edgesAbout; ///< by leader, into `edges`
+  Buckets edgesAbout; ///< one list per leader, of indices into `edges`
 };
 
-/// An edge of the boundary is kept if other than two faces meet in it, if the normals of the two differ by more than
-/// `featureAngle` (degrees), or if these are of different patches. A face that has been turned over within its plane,
-/// as in a tangled mesh, makes no edge. `patches` gives the patch of each boundary face of the mesh, or is empty.
+/// Finds the features of a mesh's boundary. An edge of the boundary is kept if
+/// - other than two faces meet in it,
+/// - the normals of its two faces differ by more than `featureAngle` (degrees), or
+/// - its two faces are of different patches.
+/// A face that is turned over in its plane, as in a tangled mesh, makes no edge. `patches` has one entry per boundary
+/// face of the mesh: its patch; empty if all are in one.
 BoundaryFeatures findBoundaryFeatures(const FaceMesh& mesh, const CellFaces& cellFaces, std::span<const Index> patches,
                                       double featureAngle, const RunContext& context);
 

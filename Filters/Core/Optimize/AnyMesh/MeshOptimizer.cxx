@@ -56,7 +56,7 @@ MeshOptimizerReport optimizeMesh(FaceMesh& mesh, const CellArrays& cells, std::s
   std::vector<ShortCell> left = findShortCells(source, marked, targets, context);
   if (left.size() > shortCells.size())
   {
-    // What some cells gained is not worth it.
+    // More cells fall short than before, so the gain of others is not worth it.
     mesh.points = std::move(before);
     left = shortCells;
     report.movedPoints = 0;

@@ -10,29 +10,34 @@ struct MeshOptimizerOptions
 {
   MeshOptimizerOptions();
 
-  /// Edges of the boundary where normals differ by more are kept, and points where these turn by more; degrees.
+  /// Edges of the boundary are kept if the normals beside them differ by more than this, and points if kept edges turn
+  /// there by more; degrees.
   double featureAngle = 30.0;
-  /// Whether points on the boundary stay where they are.
+  /// True to keep points on the boundary where they are.
   bool fixedBoundary = false;
   /// Points that stay where they are, such as those of zones.
   std::vector<Index> keptPoints;
-  /// Here no metric's worst gets worse, and cells that have a scaled Jacobian are judged by it, too.
+  /// Defaults other than those of OptimizerOptions: among others, no metric may get worse than its worst value, and
+  /// cells with a scaled Jacobian are judged by it, too.
   OptimizerOptions optimizer;
 };
 
 struct MeshOptimizerReport
 {
   std::size_t movedPoints = 0;
-  /// Cells that fell short of a target, and that do now.
+  /// Numbers of cells that fall short of a target, before and after.
   std::size_t shortBefore = 0;
   std::size_t shortAfter = 0;
-  /// By cell the least of its measures, those of its faces included, now: 0 at the limit of what is valid or usable,
-  /// 1 where all targets are reached.
+  /// One entry per cell, after the run: the smallest relative measure of the cell and its faces; 0 at the limit of what
+  /// is valid or usable, 1 if all targets are reached.
   std::vector<float> shares;
 };
 
-/// Moves points of a mesh that was made of `cells`. `patches` gives the patch of each boundary face, or is empty; edges
-/// between patches are kept. Throws Aborted when asked to. The same bits for any number of threads.
+/// Moves points of a mesh that was made of `cells`. If more cells fall short afterwards than before, the mesh stays as
+/// it was. `patches` has one entry per boundary face: its patch; empty if all are in one. Edges between patches are
+/// kept.
+///
+/// Returns what was achieved. The result has the same bits for any number of threads. Throws Aborted when asked to.
 MeshOptimizerReport optimizeMesh(FaceMesh& mesh, const CellArrays& cells, std::span<const Index> patches,
                                  const MeshOptimizerOptions& options, const RunContext& context);
 

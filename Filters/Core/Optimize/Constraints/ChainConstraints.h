@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Moves the points of divided layers by chains.
 #pragma once
 
 #include "Layer/LayerTopology.h"
@@ -6,12 +7,13 @@
 
 namespace atria {
 
-/// Moves the points of divided layers by chains: the copy leads, and those between it and its wall point go their share
-/// of its way. Points of walls stay; the others go where other constraints let them.
+/// Moves the points of divided layers by chains. The copy leads; the points between it and its wall point move by their
+/// shares of its displacement. Wall points of chains stay. Copies and all other points follow other constraints.
 class ChainConstraints : public VertexConstraints
 {
 public:
-  /// Shares are those of the way from wall point to copy where points are now.
+  /// Takes shares from the present positions: how far a point is on the way from its wall point to the copy. `points`
+  /// limits all points but those between.
   ChainConstraints(const LayerMesh& layer, VertexConstraints& points);
 
   void prepare(std::span<const Index> points, const RunContext& context) override { points_.prepare(points, context); }
@@ -30,9 +32,10 @@ public:
 private:
   const LayerMesh& layer_;
   VertexConstraints& points_;
-  /// By new point.
+  /// One entry per new point: its share of the copy's displacement.
   std::vector<double> shares_;
-  /// By leader of points in one place, as on the two sides of a sheet, whether a chain stands on one of them.
+  /// One entry per leader of points in one position, as on the two sides of a sheet: 1 if a chain stands on one of
+  /// them.
   std::vector<char> hasChain_;
 };
 

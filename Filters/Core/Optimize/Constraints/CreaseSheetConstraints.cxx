@@ -19,7 +19,8 @@ bool CreaseSheetConstraints::isMovable(Index point) const
   return isOlder(point) ? others_.isMovable(point) : !at(point).onWall || at(point).chart != noIndex;
 }
 
-/// Copies of the point it was split from slide on the same sides.
+/// Returns p moved to the domain's sides on which the point stays. These are the sides on which the copy of its wall
+/// point slides.
 Vec3 CreaseSheetConstraints::onSides(Index point, const Vec3& p) const
 {
   return at(point).onSide ? others_.place(layer_.copies[at(point).wallPoint], p) : p;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Limits where the points of crease sheets may move.
 #pragma once
 
 #include "Grid/GridFrame.h"
@@ -8,8 +9,9 @@
 
 namespace atria {
 
-/// Points of sheets along creases stay on their charts, or go anywhere inside, and keep to the domain's sides where
-/// crease sheets end; others go where other constraints let them.
+/// Limits the points of crease sheets. Points on walls stay on their charts, or where they are if they have none.
+/// Points inside move freely. Both stay on a side of the domain if a sheet ends there. All other points follow other
+/// constraints.
 class CreaseSheetConstraints : public VertexConstraints
 {
 public:

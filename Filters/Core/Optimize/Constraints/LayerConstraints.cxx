@@ -89,7 +89,7 @@ Vec3 LayerConstraints::place(Index point, const Vec3& p) const
     {
       const Vec3& normal = options_.sideNormals[side];
       q -= normal.dot(q - start) * normal;
-      q = (normal.array().abs() == 1.0).select(start, q); // no rounding along the axes
+      q = (normal.array().abs() == 1.0).select(start, q); // avoids rounding along the axes
     }
   }
   return q;

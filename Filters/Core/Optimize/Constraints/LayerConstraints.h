@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Limits where the points of a mesh with a layer may move.
 #pragma once
 
 #include "Layer/LayerTopology.h"
@@ -6,14 +7,14 @@
 
 namespace atria {
 
-/// Where the points of a mesh with a layer may go: copies keep to the domain's sides their wall points are on, the
-/// others go where other constraints let them. Wall points on the two sides of a sheet stay together. Layers whose
-/// height was asked for keep it: their points stay unless they are let go.
+/// Limits the points of a mesh with a layer. New points stay on the domain's sides that their wall points slide on;
+/// plain points follow other constraints. Wall points on the two sides of a sheet move together. Points of layers with
+/// a requested height stay, unless they are let go. Settled points stay, too.
 class LayerConstraints : public VertexConstraints
 {
 public:
-  /// `leaders` gives for each point of the plain mesh the first of those in its place; leaders of which `letGo` is set
-  /// may move in layers of an asked height, too.
+  /// `leaders` has one entry per point of the plain mesh: the first point in the same position. Leaders whose `letGo`
+  /// is set may move in layers with a requested height, too.
   LayerConstraints(const LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
                    const std::vector<Index>& leaders, const std::vector<char>& letGo, VertexConstraints& plain);
 
@@ -33,10 +34,10 @@ private:
   const LayerOptions& options_;
   VertexConstraints& plain_;
   const std::vector<Index>& leaders_;
-  /// Per leader, whether layers at its points have a height of their own; empty where none have.
+  /// One entry per leader: 1 if layers at its points have a requested height and it is not let go. Empty if no layer
+  /// has one.
   std::vector<char> pinned_;
-  /// The domain sides that a point with copies slides on, in the place of its copy among the new
-  /// points.
+  /// One entry per new point: for a copy, the domain's sides on which it slides; 0 for all others.
   std::vector<SideBits> sides_;
 };
 

@@ -14,7 +14,7 @@ namespace atria {
 
 namespace {
 
-/// More triangles near a vertex are looked for in a tree.
+/// Number of triangles near a vertex above which the tree is searched instead.
 constexpr std::size_t mostPieces = 64;
 
 } // namespace
@@ -55,7 +55,7 @@ std::vector<Index> ModelConstraints::wantedPieces(Index vertex) const
   return charts;
 }
 
-/// The pieces that are wanted in the octants about the point's, in order.
+/// Returns the pieces of `wanted` in the octants around the point's octant, in order.
 std::vector<ModelItem> ModelConstraints::findPieces(Index point, const std::vector<Index>& wanted) const
 {
   const Index leaf = classification_.leaves[vertexOf_[point]];
@@ -97,7 +97,7 @@ void ModelConstraints::find(Index point, Target& target) const
   std::ranges::transform(found, target.pieces.begin(), [](ModelItem item) { return item.index; });
 }
 
-/// Of a point that was prepared. Threads ask for different points.
+/// Returns the target of a point that was prepared. Threads must call it for different points.
 ModelConstraints::Target& ModelConstraints::targetOf(Index point) const
 {
   Target& target = targets_[slotOf_[point]];
@@ -119,7 +119,7 @@ SideBits ModelConstraints::turnedSidesOf(Index point) const
   return classification_.turnedSides.empty() ? 0 : classification_.turnedSides[vertexOf_[point]];
 }
 
-/// Within the domain, and on those of its sides on which the point stays.
+/// Returns p moved into the domain, and to those of its sides on which the point stays.
 Vec3 ModelConstraints::onSides(Index point, Vec3 p) const
 {
   const GridFrame& frame = octree_.frame();
@@ -152,14 +152,14 @@ Vec3 ModelConstraints::place(Index point, const Vec3& p) const
   }
   const Index leaf = classification_.leaves[vertexOf_[point]];
   const Vec3 q = nearest(point, p);
-  // Where a corner has no vertex of its own, those beside it must not cut it off.
+  // Vertices on curves must not cut off a corner that has no vertex of its own.
   constexpr double reach = 0.6;
   const bool strays = classOf(point) == VertexClass::curve && (q - octree_.center(leaf)).cwiseAbs().maxCoeff() >
                                                                   reach * octree_.frame().sizeOf(octree_.level(leaf));
   return strays ? targets_[slotOf_[point]].start : q;
 }
 
-/// Where it starts a vertex is on its pieces, mostly.
+/// A vertex starts on its pieces, in most cases.
 Vec3 ModelConstraints::nearest(Index point, const Vec3& p) const { return nearest(point, p, targetOf(point).start); }
 
 Vec3 ModelConstraints::nearest(Index point, const Vec3& p, const Vec3& known) const
@@ -213,7 +213,7 @@ Vec3 ModelConstraints::nearestOn(const Target& target, Index piece, const Vec3& 
   return nearestOnTriangle(p, a, b, c);
 }
 
-/// Whether a triangle's box is farther than `reach` from a place, both on the lattice.
+/// True if a triangle's box is farther than `reach` from a position, both in lattice units. False for feature edges.
 bool ModelConstraints::isBeyond(const Target& target, Index piece, const Vec3& wanted, double reach) const
 {
   if (target.kind == Kind::featureEdges)
@@ -225,8 +225,8 @@ bool ModelConstraints::isBeyond(const Target& target, Index piece, const Vec3& w
   return apart.squaredNorm() > reach * reach;
 }
 
-/// Of a target that lists its pieces: of those equally near the first. The one that was nearest last time is mostly
-/// near again, and all but a few others are farther.
+/// Returns the nearest position on a target that lists its pieces, and its piece, the first of those equally near.
+/// Starts with the piece that was nearest last time, because it is mostly near again and rules out most others.
 ModelConstraints::OnPiece ModelConstraints::nearestPiece(Target& target, const Vec3& p) const
 {
   if (target.kind == Kind::charts || target.pieces.empty())
@@ -259,8 +259,9 @@ ModelConstraints::OnPiece ModelConstraints::nearestPiece(Target& target, const V
   return {best, target.pieces[target.last]};
 }
 
-/// Of points on surfaces the triangle they are on says it. Others may be where pieces end or meet, as at boundary
-/// edges, and one piece would promise ways there are not.
+/// Free and detached points may move in all directions, points on a surface in the plane of the nearest triangle. All
+/// others, and points at the domain's sides, get their directions from place(): they may be where pieces end or meet,
+/// as at boundary edges, and a single piece would allow directions in which they cannot move.
 Ways ModelConstraints::waysFrom(Index point, const Vec3& p, double step) const
 {
   const bool isAtSide = planesOf(point) != 0 || octree_.frame().turnedDomain;

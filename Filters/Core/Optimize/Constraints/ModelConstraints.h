@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Keeps vertices on the model and in the planes of the domain.
 #pragma once
 
 #include "Dual/Vertices/DualVertices.h"
@@ -7,41 +8,43 @@
 
 namespace atria {
 
-/// Keeps vertices where the model wants them: on its surfaces and curves, in the planes of the domain.
+/// Keeps vertices on the surfaces and curves of the model that they belong to, and in the planes of the domain.
 class ModelConstraints : public VertexConstraints
 {
 public:
-  /// `vertexOf` gives, for each point of the mesh, the vertex it stands for; it must outlive the constraints.
+  /// `vertexOf` has one entry per point of the mesh: the vertex it stands for. It must outlive the constraints.
   ModelConstraints(const MeshingContext& context, const VertexClassification& classification,
                    const std::vector<Vec3>& points, const std::vector<Index>& vertexOf);
 
-  /// Notes where points are, before these are moved. Pieces of the model near a point are looked up where it is first
-  /// asked for, as most points that might be moved never are.
+  /// Stores where points are before they are moved. Pieces of the model near a point are searched when they are first
+  /// needed, because most points never move.
   void prepare(std::span<const Index> points, const RunContext& context) override;
   bool isMovable(Index point) const override { return classOf(point) != VertexClass::fixed; }
   Vec3 place(Index point, const Vec3& p) const override;
   Ways waysFrom(Index point, const Vec3& p, double step) const override;
-  /// The place nearest to p on the pieces of the model the point is for, on the domain's planes. After prepare.
+  /// Returns the position nearest to p on the point's pieces of the model and in the domain's planes; the one that
+  /// prepare() stored if there are no pieces. prepare() must have been called for the point.
   Vec3 nearest(Index point, const Vec3& p) const;
-  /// The same; `known` is a place on these pieces, mostly: what is farther away is not looked at.
+  /// The same, faster. `known` is a position on these pieces, in most cases: charts are first searched no farther from
+  /// p than that.
   Vec3 nearest(Index point, const Vec3& p, const Vec3& known) const;
-  /// The center of the point's octant, on the domain's planes through it.
+  /// Returns the center of the point's octant, moved to the domain's planes through the octant.
   Vec3 centerOf(Index point) const;
 
 private:
-  /// What the pieces of a target are.
+  /// Kind of a target's pieces.
   enum class Kind : std::uint8_t
   {
-    unknown, ///< not looked up yet
+    unknown, ///< not searched yet
     triangles,
     featureEdges,
-    charts ///< where triangles are many, they are not listed: those of these charts are looked for in the tree
+    charts ///< too many triangles to list; the tree is searched for those of these charts
   };
   struct Target
   {
     Vec3 start;
     Kind kind = Kind::unknown;
-    Index last = 0; ///< the place in `pieces` of the one that was nearest when asked last
+    Index last = 0; ///< place in `pieces` of the one that was nearest last time
     std::vector<Index> pieces;
   };
 
@@ -57,7 +60,7 @@ private:
   struct OnPiece
   {
     Vec3 place;
-    Index piece; ///< noIndex where the target has none
+    Index piece; ///< noIndex if the target has none
   };
   std::array<Vec3, 3> cornersOf(Index triangle) const;
   Vec3 nearestOn(const Target& target, Index piece, const Vec3& p) const;

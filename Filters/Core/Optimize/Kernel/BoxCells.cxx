@@ -9,10 +9,10 @@ namespace atria {
 namespace {
 
 constexpr std::size_t grain = 2048;
-/// By how much boxes have to be better than what targets ask for: far more than boxes may be out of square.
+/// Factor by which boxes must be better than the targets: far more than boxes may be out of square.
 constexpr double clearly = 1.01;
 
-/// Boxes have no angles and no skewness but by rounding.
+/// True if targets may be too strict for boxes, which have right angles and no skewness, up to rounding.
 bool asksForMoreThanBoxes(const QualityTargets& targets)
 {
   return clearly * std::max({targets.pyramidCosine.target, targets.faceCosine.target, targets.boundaryShape.target,
@@ -23,14 +23,14 @@ bool asksForMoreThanBoxes(const QualityTargets& targets)
 
 double volumeOf(const Vec3& lengths) { return lengths[0] * lengths[1] * lengths[2]; }
 
-/// The cube of the mean edge.
+/// Returns the cube of the mean edge.
 double cubeOf(const Vec3& lengths)
 {
   const double mean = lengths.sum() / 3.0;
   return mean * mean * mean;
 }
 
-/// Whether its own lengths make a box good. Of faces within the mesh there are `across` on each axis.
+/// True if the lengths of a box make it good by itself. It has `across[axis]` internal faces on each axis.
 bool hasGoodLengths(const Vec3& lengths, const std::array<int, 3>& across, const QualityTargets& targets)
 {
   const double shortest = lengths.minCoeff();
@@ -54,7 +54,7 @@ bool hasGoodLengths(const Vec3& lengths, const std::array<int, 3>& across, const
          8.0 * root * root * root * root * mean * mean * mean * mean * mean * mean;
 }
 
-/// Whether a box and one beside it on an axis are good for each other.
+/// True if a box and its neighbor on an axis reach the targets of the weight and of the volume ratio.
 bool suits(const Vec3& lengths, const Vec3& beside, int axis, const QualityTargets& targets)
 {
   const double less = std::min(lengths[axis], beside[axis]);
@@ -62,7 +62,8 @@ bool suits(const Vec3& lengths, const Vec3& beside, int axis, const QualityTarge
   return less >= clearly * targets.weight.target * (less + more) && less >= clearly * targets.volumeRatio.target * more;
 }
 
-/// Whether the corners of both are good in sizes of either.
+/// True if corner volumes are good. `volume` is the smallest of a box and its neighbors, `cube` the largest cube of
+/// their mean edges.
 bool hasGoodCorners(double volume, double cube, const QualityTargets& targets)
 {
   return volume >= clearly * targets.cornerVolume.target * cube;
@@ -75,7 +76,7 @@ enum Kind : char
   other
 };
 
-/// `kinds` are those of cells, as far as they are known.
+/// True if a cell is a good box among boxes. `kinds` has one entry per cell, `unknown` for those not looked at.
 bool isGoodBox(const CellSource& source, Index cell, const std::vector<char>& kinds, const QualityTargets& targets)
 {
   CellBox own;

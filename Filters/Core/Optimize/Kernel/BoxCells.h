@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Cells seen to be good without measuring them: boxes among boxes, as there are many at walls along the grid.
+/// Finds cells that are good without measuring them: boxes among boxes, as there are many at walls along the grid.
 #pragma once
 
 #include "Optimize/Kernel/CellSource.h"
@@ -7,8 +7,8 @@
 
 namespace atria {
 
-/// Of some cells those that are not seen to be good, in the same order. Looks at lengths of boxes only, so it costs a
-/// small part of judging them.
+/// Returns those of `cells` that are not seen to be good, in the same order. It compares lengths of boxes only, which
+/// costs a small part of judging cells. Throws Aborted when asked to.
 std::vector<Index> cellsToEvaluate(const CellSource& source, const std::vector<Index>& cells,
                                    const QualityTargets& targets, const RunContext& context);
 

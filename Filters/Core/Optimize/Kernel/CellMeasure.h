@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Faces and cells measured as in Quality/Geometry.h, one at a time.
+/// Measures single faces and cells, as Quality/Faces/Geometry.h does for meshes.
 #pragma once
 
 #include "Optimize/Kernel/CellSource.h"
@@ -9,26 +9,28 @@ namespace atria {
 struct FaceMeasure
 {
   Vec3 centroid;
-  Vec3 area;     ///< out of the owner
-  Vec3 normal;   ///< of length 1; nothing for a face without area
-  double length; ///< the area vector's
+  Vec3 area;     ///< area vector by the right-hand rule
+  Vec3 normal;   ///< unit vector; zero for a face without area
+  double length; ///< length of the area vector
 };
 
 struct CellMeasure
 {
   Vec3 centroid;
+  /// Negative if the cell is inverted.
   double volume;
-  /// The mean of the faces' centroids, which says more than the centroid where a cell is nearly flat.
+  /// Mean of the face centroids, which is of more use than the centroid if a cell is nearly flat.
   Vec3 mean;
 };
 
-/// Eigen's is not inlined everywhere.
+/// Returns the cross product. Eigen's is not inlined everywhere.
 inline Vec3 crossOf(const Vec3& u, const Vec3& v)
 {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
-/// `pointOf(i)` is the face's i-th corner. Where `size` is a constant this is faster.
+/// Measures a face of `size` points by triangles around their mean; `pointOf(i)` returns the i-th. It is faster if
+/// `size` is a constant.
 template <typename PointOf> FaceMeasure measureFace(std::size_t size, PointOf&& pointOf)
 {
   Vec3 mean = Vec3::Zero();
@@ -63,12 +65,14 @@ template <typename PointOf> FaceMeasure measureFace(std::size_t size, PointOf&& 
           length > rootVSmall ? Vec3(area / length) : Vec3(Vec3::Zero()), 0.5 * length};
 }
 
+/// The same; faster for quadrilaterals.
 template <typename PointOf> FaceMeasure measureAnyFace(std::size_t size, PointOf&& pointOf)
 {
   return size == 4 ? measureFace(4, pointOf) : measureFace(size, pointOf);
 }
 
-/// `eachFace(visit)` calls visit(centroid, outward area) for every face, each time in the same order.
+/// Measures a cell by pyramids from the mean of its face centroids. `eachFace(visit)` calls visit(centroid, outward
+/// area vector) for every face, in the same order each time.
 template <typename EachFace> CellMeasure measureCell(EachFace&& eachFace)
 {
   Vec3 estimate = Vec3::Zero();
@@ -88,12 +92,12 @@ template <typename EachFace> CellMeasure measureCell(EachFace&& eachFace)
   return {std::abs(triple) > vSmall ? Vec3(moment / triple) : estimate, triple / 3.0, estimate};
 }
 
-/// OpenFOAM's interpolation weight.
+/// Returns OpenFOAM's interpolation weight of a face between two cells, 0 to 0.5.
 double weightOf(const FaceMeasure& face, const CellMeasure& own, const CellMeasure& other);
-/// The smaller over the larger; negative where one of them is.
+/// Returns the smaller volume over the larger absolute volume; negative if a volume is.
 double volumeRatioOf(const CellMeasure& own, const CellMeasure& other);
 
-/// Of some points, one after the other and back to the first: `pointOf(i)` is the i-th.
+/// Returns the length of a closed polygon of `size` points; `pointOf(i)` returns the i-th.
 template <typename PointOf> double perimeterOf(std::size_t size, PointOf&& pointOf)
 {
   double length = (pointOf(0) - pointOf(size - 1)).norm();
@@ -107,10 +111,10 @@ template <typename PointOf> double perimeterOf(std::size_t size, PointOf&& point
 struct SizedCell
 {
   CellMeasure measure;
-  double size; ///< mean edge of its faces
+  double size; ///< mean edge of its faces, in model units
 };
 
-/// Measures a cell of a source; `faces` is room for its faces.
+/// Measures a cell of a source. `scratch` and `faces` are buffers that it overwrites.
 SizedCell measureCell(const CellSource& source, Index cell, CellSource::Scratch& scratch,
                       std::vector<FaceMeasure>& faces);
 

@@ -62,7 +62,7 @@ void DualSource::facesOf(Index cell, std::span<const Index> names, Scratch& out)
   out.points.resize(begin);
 }
 
-/// Of those that are hexahedra.
+/// Elements with eight different corners are hexahedra.
 NativeCell DualSource::nativeOf(Index cell) const
 {
   std::array<Index, 8> sorted = mesh_.corners[cell];
@@ -73,7 +73,7 @@ NativeCell DualSource::nativeOf(Index cell) const
 
 bool DualSource::boxOf(Index cell, CellBox& out) const
 {
-  constexpr double square = 1e-7; // of the shortest side
+  constexpr double square = 1e-7; // tolerance as a share of the shortest side
   const auto& corners = mesh_.corners[cell];
   const Vec3& low = mesh_.points[corners[hexahedronCorner[0]]];
   out.lengths = mesh_.points[corners[hexahedronCorner[7]]] - low;
@@ -110,7 +110,7 @@ bool DualSource::hasMarked(Index cell, const std::vector<char>& marked) const
   return atria::hasMarked(mesh_.corners[cell], marked);
 }
 
-/// Without a virtual call for each cell.
+/// Avoids a virtual call for each cell.
 void DualSource::appendMarked(std::size_t begin, std::size_t end, const std::vector<char>& marked,
                               std::vector<Index>& out) const
 {
@@ -135,7 +135,7 @@ void FaceMeshSource::neighborsOf(Index cell, std::vector<Index>& out) const
   }
 }
 
-/// Face by face, each with its normal outwards.
+/// Lists the points face by face, normals outward.
 void FaceMeshSource::cornersOf(Index cell, std::vector<Index>& out) const
 {
   out.clear();

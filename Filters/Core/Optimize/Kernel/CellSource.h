@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The cells of the meshes that are optimized, whatever arrays they are kept in.
+/// Gives access to the cells of a mesh, whatever arrays they are stored in.
 #pragma once
 
 #include "Dual/Mesh/DualMesh.h"
@@ -10,59 +10,64 @@
 
 namespace atria {
 
-/// A cell of a type that has a scaled Jacobian, with its corners in VTK's order; type 0 for any other.
+/// A cell of a type that has a scaled Jacobian, with its corners in VTK's order; type 0 for any other cell.
 struct NativeCell
 {
   unsigned char type = 0;
   std::array<Index, 8> corners{};
 };
 
-/// A cell's face: its points with the normal outwards, and the cell across or noIndex.
+/// A face of a cell: its points, normal outward, and the cell across it or noIndex.
 struct CellFace
 {
   std::span<const Index> points;
   Index across;
 };
 
-/// A cell that is a box along the axes, but for rounding.
+/// A cell that is a box along the axes, up to rounding.
 struct CellBox
 {
+  /// Lengths along the axes, in model units.
   Vec3 lengths;
-  /// The cell across each of its faces, by Direction, or noIndex.
+  /// The cell across each of its faces, by Direction; noIndex if there is none.
   std::array<Index, 6> across;
 };
 
-/// The cells of a mesh one at a time, whatever arrays it is kept in.
+/// Reads the cells of a mesh one at a time, whatever arrays they are stored in.
 class CellSource
 {
 public:
   virtual ~CellSource() = default;
   virtual std::size_t cellCount() const = 0;
   virtual const std::vector<Vec3>& points() const = 0;
-  /// The cells across a cell's faces, in the order of facesOf.
+  /// Lists the cells across a cell's faces, in the order of facesOf(). Boundary faces are omitted.
   virtual void neighborsOf(Index cell, std::vector<Index>& out) const = 0;
-  /// The points of a cell; some may be there more than once.
+  /// Lists the points of a cell. A point may be listed more than once.
   virtual void cornersOf(Index cell, std::vector<Index>& out) const = 0;
+  /// Buffers that facesOf() fills.
   struct Scratch
   {
     std::vector<CellFace> faces;
     std::vector<Index> points;
     std::vector<Index> corners;
   };
-  /// Fills `out`, whose spans are good until the next call with the same scratch. Points are called by `names`, as many
-  /// as cornersOf gives and in their order.
+  /// Lists the faces of a cell in `out.faces`, whose spans are valid until the next call with the same scratch. Points
+  /// get the numbers in `names`, which has one entry for each that cornersOf() lists, in the same order.
   virtual void facesOf(Index cell, std::span<const Index> names, Scratch& out) const = 0;
+  /// The same, with the numbers that the points have in the mesh.
   void facesOf(Index cell, Scratch& out) const
   {
     cornersOf(cell, out.corners);
     facesOf(cell, out.corners, out);
   }
+  /// Returns the cell with its corners in VTK's order; type 0 if it has no scaled Jacobian.
   virtual NativeCell nativeOf(Index /*cell*/) const { return {}; }
-  /// Whether the cell is a box, and which; false where that cannot be told easily.
+  /// Sets `out` and returns true if the cell is a box along the axes. Returns false if it is none, or if that is not
+  /// easy to decide.
   virtual bool boxOf(Index /*cell*/, CellBox& /*out*/) const { return false; }
-  /// Whether the cell has one of the points marked.
+  /// Returns true if a point of the cell is marked.
   virtual bool hasMarked(Index cell, const std::vector<char>& marked) const = 0;
-  /// Appends those of the cells [begin, end) that have.
+  /// Appends the cells of [begin, end) that have a marked point.
   virtual void appendMarked(std::size_t begin, std::size_t end, const std::vector<char>& marked,
                             std::vector<Index>& out) const
   {
@@ -76,6 +81,7 @@ public:
   }
 };
 
+/// The elements of a dual mesh.
 class DualSource : public CellSource
 {
 public:
@@ -96,7 +102,7 @@ private:
   const DualMesh& mesh_;
 };
 
-/// `cells` are those the mesh was made of.
+/// The cells of a mesh given by its faces; `cells` are those it was made of.
 class FaceMeshSource : public CellSource
 {
 public:
@@ -119,18 +125,18 @@ private:
   const CellArrays& cells_;
 };
 
-/// The numbers that are marked, in order.
+/// Returns the numbers that are marked, in order.
 std::vector<Index> numbersOf(const std::vector<char>& marked, const Executor& executor);
 
-/// Those that have one of the points marked, in order.
+/// Returns the cells that have a marked point, in order. Throws Aborted when asked to.
 std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<char>& marked,
                                    const RunContext& context);
 
-/// Cells in pieces of about the same number, each in no order. Neighbors are in one piece mostly, also where their
-/// numbers are far apart, as those of cells of a layer and of the cells they are on.
+/// Divides cells into pieces of about Pieces::length, each in no order. Most neighbors are in one piece, even if their
+/// numbers are far apart, as those of the cells of a layer and of the cells beside it are.
 std::vector<std::vector<Index>> inPieces(const CellSource& source, const std::vector<Index>& cells);
 
-/// Cells and those that share a face with one of them, in order.
+/// Returns the cells and those that share a face with one of them, in order.
 std::vector<Index> withNeighbors(const CellSource& source, const std::vector<Index>& cells, const RunContext& context);
 
 } // namespace atria

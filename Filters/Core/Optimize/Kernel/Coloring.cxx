@@ -10,7 +10,8 @@ Colors colorPoints(const Region& region)
 {
   constexpr std::size_t most = 192;
   using Set = std::bitset<most>;
-  // By cell, the colors of points that read it. A point that writes a cell beside it reads it, too.
+  // One entry per cell: the colors of the points that read it. Cells that a point reads need no check: if another point
+  // writes one, that point also reads a cell that this one writes.
   std::vector<Set> read(region.judgedCount());
   std::vector<std::vector<Index>> classes(most + 1);
   for (Index m = 0; m < region.movable.size(); ++m)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The metrics that are reported, of the cells and faces a QualityEvaluator keeps.
+// Computes LeastMetrics of the cells and faces that a QualityEvaluator keeps.
 #include "Optimize/Kernel/QualityEvaluator.h"
 
 #include "Quality/Faces/CellShapes.h"

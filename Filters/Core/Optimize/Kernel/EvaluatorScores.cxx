@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the measures of cells and faces are judged.
+// Judges the measures of cells and faces.
 #include "Optimize/Kernel/EvaluatorShapes.h"
 #include "Optimize/Kernel/QualityEvaluator.h"
 #include "Quality/Checks/CheckLimits.h"
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// Calls within a function become part of it.
+/// Inlines all calls within a function.
 #ifdef __GNUC__
 #define ATRIA_FLATTEN [[gnu::flatten]]
 #else
@@ -19,21 +19,21 @@ namespace atria {
 namespace {
 
 constexpr std::size_t grain = 256;
-/// Over the cube of the mean edge.
+/// Volume, over the cube of the mean edge, below which a cell is nearly flat.
 constexpr double flatVolume = 0.004;
-/// Of what is flat but for rounding.
+/// Sine of an angle that is 0 up to rounding.
 constexpr double flatSine = 1e-7;
-/// Skewness is not more than this, so that one wild face does not drown the others.
+/// Upper bound of skewness, so that one extreme face does not outweigh the others.
 constexpr double wild = 8.0;
 
-/// Whether a component along a unit vector is above this share of the vector's length.
+/// True if a component along a unit vector is positive and at least this share of the vector's length.
 bool isAbove(double along, double share, const Vec3& vector)
 {
   return along > 0.0 && along * along >= share * share * vector.squaredNorm();
 }
 
-/// Whether one boundary face of a cell is far enough behind the plane of another, or in it with its whole plane: such
-/// faces are written as one. See mergedPlanarSine.
+/// True if a boundary face of a cell is far enough behind the plane of another one, or if both lie in one plane.
+/// Writers merge faces in one plane, see mergedPlanarSine.
 bool isBehindOrFlat(double inside, double length, const Vec3& normal, const Vec3& other)
 {
   return inside > 2.0 * checkLimits::concaveSine * length ||
@@ -113,7 +113,7 @@ ATRIA_FLATTEN void QualityEvaluator::residualsBeside(VertexStar& star, const Res
   }
 }
 
-/// As it is now.
+/// Returns a relative measure in the current state.
 template <typename Shapes> double QualityEvaluator::measureOf(const Measure& measure, const Shapes& shapes) const
 {
   const Index face = measure.face;
@@ -183,7 +183,7 @@ void QualityEvaluator::judgeCell(Index cell, const Shapes& shapes, Sink& score) 
   }
   if (targets_.scaledJacobian > 0.0)
   {
-    // All that are below the target: the least alone has a kink where another one takes over.
+    // Adds all terms, not only the smallest one, which has a kink where another term becomes the smallest.
     const JacobianTerms terms = jacobiansOf(cell);
     for (std::uint8_t i = 0; i < terms.count; ++i)
     {
@@ -198,13 +198,14 @@ double QualityEvaluator::pyramidOf(Index face, Index cell) const
   return targets_.pyramidCosine.of(sign(cell, face) * faces[face].normal.dot(toFace) / (toFace.norm() + rootVSmall));
 }
 
-/// How far one of the cell's faces lies behind the plane of another.
+/// Returns the relative measure of how far face `other` of a cell lies behind the plane of `face`; 1 for boundary faces
+/// that may lie so.
 double QualityEvaluator::convexityOf(Index face, Index other, Index cell) const
 {
   const Vec3 between = faces[other].centroid - faces[face].centroid;
   const double inside = -sign(cell, face) * faces[face].normal.dot(between);
   const bool onBoundary = region_.neighbor[face] == noIndex && region_.neighbor[other] == noIndex;
-  // The cell is the owner of both then.
+  // The cell owns both faces, so that their normals point out of it.
   if (onBoundary && isBehindOrFlat(inside, between.norm(), faces[face].normal, faces[other].normal))
   {
     return 1.0;
@@ -225,8 +226,8 @@ template <typename Sink> void QualityEvaluator::judgeConvexity(Index face, Index
   }
 }
 
-/// Whether no two faces fall short in judgeConvexity: a quicker look at both ways at once. May be false for cells of
-/// many faces.
+/// True if no two faces fall short in judgeConvexity(). This is faster, as it tests both directions of a pair together.
+/// Always false for cells with more than 8 faces.
 bool QualityEvaluator::isClearlyConvex(Index cell) const
 {
   struct Face
@@ -263,7 +264,8 @@ bool QualityEvaluator::isClearlyConvex(Index cell) const
   return true;
 }
 
-/// The centroid of a cell that is nearly flat or inside out may lie anywhere.
+/// Returns the apex of the tetrahedra by which a cell is judged: its centroid, or the mean of its face centroids if
+/// `decomposed` is false or the cell is nearly flat or inverted. The centroid of such a cell may lie anywhere.
 const Vec3& QualityEvaluator::middleOf(Index cell) const
 {
   const auto isFlat = [&] { return cells[cell].volume < flatVolume * (sizes[cell] * sizes[cell] * sizes[cell]); };
@@ -271,7 +273,7 @@ const Vec3& QualityEvaluator::middleOf(Index cell) const
   return trusted ? cells[cell].centroid : cells[cell].mean;
 }
 
-/// Six times the volumes over the halves of a quadrilateral.
+/// Returns six times the volumes of the tetrahedra from `middle` over the halves of a quadrilateral.
 std::array<double, 4> QualityEvaluator::halfVolumes(Index face, const std::array<Vec3, 4>& half,
                                                     const Vec3& middle) const
 {
@@ -281,7 +283,9 @@ std::array<double, 4> QualityEvaluator::halfVolumes(Index face, const std::array
   return {half[0].dot(first), half[1].dot(first), half[2].dot(second), half[3].dot(second)};
 }
 
-/// OpenFOAM takes a face apart into triangles about its centroid. In the tetrahedra of these, a parallelepiped has 24.
+/// Returns the smallest relative volume of the tetrahedra of a cell over a face. OpenFOAM divides a face into triangles
+/// around its centroid, so that a parallelepiped has 24 tetrahedra. If `decomposed` is false, a quadrilateral is
+/// divided by the better one of its diagonals.
 template <typename Shapes>
 double QualityEvaluator::cornersOf(Index face, Index cell, const Vec3& middle, const Shapes& shapes, Index slot) const
 {
@@ -313,8 +317,9 @@ double QualityEvaluator::cornersOf(Index face, Index cell, const Vec3& middle, c
   return std::max(std::min(scale * part[0], scale * part[1]), std::min(scale * part[2], scale * part[3]));
 }
 
-/// OpenFOAM also takes a face apart into triangles about one of its corners, the same for the cells on both sides. In
-/// a quadrilateral there are two ways.
+/// Returns the smallest relative volume of the tetrahedra over the halves of a quadrilateral, by the better one of its
+/// diagonals. OpenFOAM also divides a face into triangles around one of its corners, the same for the cells on both
+/// sides.
 template <typename Shapes> double QualityEvaluator::fansOf(Index face, const Shapes& shapes, Index slot) const
 {
   std::array<double, 2> least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -366,7 +371,8 @@ void QualityEvaluator::judgeFace(Index face, const Shapes& shapes, Sink& score) 
   }
 }
 
-/// From the owner's centroid to that of the cell across, or to the boundary face's plane.
+/// Returns the vector from the owner's centroid to that of the cell across, or along the normal to the plane of a
+/// boundary face.
 Vec3 QualityEvaluator::wayAcross(Index face) const
 {
   const FaceMeasure& f = faces[face];
@@ -389,7 +395,7 @@ double QualityEvaluator::straightnessOf(Index face) const
   return targets_.skewness.of(std::min(skewness, wild));
 }
 
-/// Interpolation weight and ratio of volumes. Most are far above their target, and are not divided.
+/// Judges the interpolation weight and the volume ratio. Most are far above their target and need no division.
 template <typename Sink>
 void QualityEvaluator::judgeSizes(const FaceMeasure& face, const Measure& of, const CellMeasure& own,
                                   const CellMeasure& other, Sink& score) const
@@ -428,7 +434,7 @@ double QualityEvaluator::boundaryShapeOf(Index face, std::size_t part, const Sha
   return targets_.boundaryShape.of(0.5 * triangle.dot(f.normal) / mean);
 }
 
-/// Whether the skewness is below its target, as far as that can be seen without roots and division.
+/// True only if the skewness is below its target. Needs no roots and divisions, but does not find all such faces.
 bool QualityEvaluator::isClearlyStraight(Index face, const Vec3& d) const
 {
   const FaceMeasure& f = faces[face];
@@ -440,7 +446,7 @@ bool QualityEvaluator::isClearlyStraight(Index face, const Vec3& d) const
   return Score::farAbove * (along * toFace - f.normal.dot(toFace) * d).squaredNorm() < least * least * length * square;
 }
 
-/// As in Quality/Metrics.h; what is below `good` is not computed to the end.
+/// Returns the skewness as in Quality/Checks/Metrics.h; or an upper bound of it, if that is not above `good`.
 double QualityEvaluator::skewnessOf(Index face, const Vec3& d, double good) const
 {
   const FaceMeasure& f = faces[face];

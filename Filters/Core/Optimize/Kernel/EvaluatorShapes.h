@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The shapes of faces that QualityEvaluator looks at.
+/// Computes the shapes of faces that QualityEvaluator judges.
 #pragma once
 
 #include "Optimize/Kernel/QualityEvaluator.h"
 
 namespace atria {
 
-/// Shapes of faces of a region, made where they are looked at.
+/// Shapes of the faces of a region, computed at each request.
 class QualityEvaluator::ShapesOnDemand
 {
 public:
@@ -19,7 +19,8 @@ private:
   const QualityEvaluator& evaluator_;
 };
 
-/// Shapes of faces of a star, kept in the star. `slots` are the places of those of a cell, or of one.
+/// Shapes of the faces of a star, computed once and kept in the star. `slots` are places in VertexStar::faces: one for
+/// each face of a cell, or that of a single face.
 class QualityEvaluator::ShapesOfVertexStar
 {
 public:
@@ -48,7 +49,7 @@ public:
   }
 
 private:
-  /// It is not from then on.
+  /// Returns true if the part has not been computed, and marks it as computed.
   bool isMissing(Index slot, QuadShape::Part part) const
   {
     std::uint8_t& parts = star_.parts[slot];
@@ -62,7 +63,7 @@ private:
   const Index* slots_;
 };
 
-/// Of a face's edge and its centroid.
+/// Returns twice the area vector of the triangle between edge i of a face and its centroid.
 inline Vec3 QualityEvaluator::fanTriangle(Index face, std::size_t i) const
 {
   const auto points = region_.face(face);
@@ -71,7 +72,7 @@ inline Vec3 QualityEvaluator::fanTriangle(Index face, std::size_t i) const
                  region_.points[points[i + 1 < points.size() ? i + 1 : 0]] - centroid);
 }
 
-/// Of a quadrilateral.
+/// Returns QuadShape::fan of a quadrilateral.
 inline std::array<Vec3, 4> QualityEvaluator::fanOf(Index face) const
 {
   const auto points = region_.face(face);
@@ -83,7 +84,7 @@ inline std::array<Vec3, 4> QualityEvaluator::fanOf(Index face) const
   return {crossOf(to[0], to[1]), crossOf(to[1], to[2]), crossOf(to[2], to[3]), crossOf(to[3], to[0])};
 }
 
-/// Of a quadrilateral.
+/// Returns QuadShape::half of a quadrilateral.
 inline std::array<Vec3, 4> QualityEvaluator::halvesOf(Index face) const
 {
   const auto points = region_.face(face);

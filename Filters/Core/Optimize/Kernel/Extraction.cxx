@@ -45,7 +45,8 @@ Region Extraction::run(const RunContext& context)
   return std::move(region);
 }
 
-/// Points and cells beside get numbers as they are met.
+/// Lists points, ghosts and corners of the judged cells from `begin` to `end`. Points and ghosts are numbered as they
+/// are met.
 void Extraction::number(Part& part, std::size_t begin, std::size_t end) const
 {
   const std::size_t cells = end - begin;
@@ -87,7 +88,7 @@ void Extraction::number(Part& part, std::size_t begin, std::size_t end) const
   }
 }
 
-/// Gives points and cells beside their numbers in the region.
+/// Gives points and ghosts their numbers in the region, and copies the points.
 void Extraction::join(const RunContext& context)
 {
   if (order == Order::ofMesh)
@@ -104,7 +105,7 @@ void Extraction::join(const RunContext& context)
                            [&](std::size_t p) { region.points[p] = source.points()[region.pointIds[p]]; });
 }
 
-/// In the order of the mesh.
+/// Numbers points and ghosts in the order of the mesh.
 void Extraction::joinNumbers(const RunContext& context)
 {
   Buffer<Index> placeOf;
@@ -144,8 +145,8 @@ void Extraction::joinNumbers(const RunContext& context)
   });
 }
 
-/// The faces between two judged cells are made by the first of them. There is room as for hexahedra, most of whose
-/// faces are between two of them.
+/// Makes the faces of a part's cells. A face between two judged cells is made by the first of them. Memory is reserved
+/// as for hexahedra, most of whose faces lie between two judged cells.
 void Extraction::makeFaces(Part& part) const
 {
   const std::size_t faces = 3 * part.size() + part.size() / 2;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Builds the arrays of a region from its judged cells.
 #pragma once
 
 #include "Optimize/Kernel/Region.h"
@@ -6,25 +7,24 @@
 
 namespace atria {
 
-/// Builds the arrays of a region from its judged cells, which are in order. Parts of them are numbered each by itself,
-/// on all threads, and then put together: the result does not depend on the parts but for the order of points and of
-/// cells beside, where that may be any.
+/// Builds a region from its judged cells, which are in order. Parts of them are numbered separately, on all threads,
+/// and then joined. The result does not depend on the parts.
 class Extraction
 {
 public:
   enum class Order
   {
-    any,   ///< of points and of cells beside; these are numbered by one thread
-    ofMesh ///< both have the order of their numbers in the mesh
+    any,   ///< points and ghosts are in the order in which one thread meets them
+    ofMesh ///< points and ghosts are in the order of their numbers in the mesh
   };
 
   Extraction(const CellSource& mesh, std::vector<Index> cells, bool withNatives, Order order);
 
-  /// Once. No point may move.
+  /// Returns the region, in which no point may move. May be called once. Throws Aborted when asked to.
   Region run(const RunContext& context);
 
-  /// After that: calls use(cell, corners) for each judged cell, on all threads; its corners are called as in the
-  /// region, and some may be there more than once.
+  /// Calls use(cell, corners) for each judged cell, on all threads; run() must have been called. Corners are numbers of
+  /// the region's points; one may be listed more than once.
   template <typename Use> void forCells(const RunContext& context, Use&& use) const
   {
     context.executor.forEach(parts.size(), 1, [&](std::size_t i) {
@@ -39,15 +39,16 @@ public:
 private:
   struct Part
   {
-    Index first = 0; ///< of its cells
-    /// Of the mesh as they are met; then their numbers in the region.
+    Index first = 0; ///< the first of its cells
+    /// Points and ghosts in the order in which they are met: their numbers in the mesh until parts are joined, then
+    /// those in the region.
     std::vector<Index> pointIds;
     std::vector<Index> ghosts;
-    /// Of each cell, by `pointIds` until all are put together.
+    /// Corners of each cell: places in `pointIds` until parts are joined, then numbers in the region.
     std::vector<Index> cornerOffsets{0};
     std::vector<Index> corners;
-    /// For each face that has a cell across, in their order, that cell's number in the region; those beside come behind
-    /// all judged ones, by `ghosts` until all are put together.
+    /// One entry per face with a cell across, in order: the number of that cell in the region. Ghosts are numbered
+    /// after all judged cells, by their places in `ghosts` until parts are joined.
     std::vector<Index> across;
     RegionCells made;
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t grain = 256;
 
+/// Returns the range of a kind of measure.
 QualityRange rangeOf(Measure::Kind kind, const QualityTargets& targets)
 {
   switch (kind)
@@ -43,7 +44,7 @@ QualityRange rangeOf(Measure::Kind kind, const QualityTargets& targets)
   return targets.volumeRatio;
 }
 
-/// What a kind of measure makes of the worst at least.
+/// Returns the lower bound of what a kind of measure contributes to the worst measure of a cell.
 double leastOf(Measure::Kind kind, const QualityTargets& targets)
 {
   switch (kind)
@@ -61,9 +62,9 @@ double leastOf(Measure::Kind kind, const QualityTargets& targets)
   }
 }
 
-/// Measures cells that are not seen to be good, piece by piece, as measures take many times the cells' own memory:
-/// calls use(evaluator, context) for each piece and returns what it does. A piece is for one thread, unless there are
-/// few.
+/// Measures the cells that are not seen to be good, piece by piece, because measures take many times the memory of the
+/// cells. Calls use(evaluator, context) for each piece and returns the results. Each piece is for one thread; if there
+/// are few pieces, all threads work on one piece after the other.
 template <typename Use>
 auto measurePieces(const CellSource& source, const std::vector<Index>& cells, const QualityTargets& targets,
                    const RunContext& context, Use&& use)
@@ -82,7 +83,7 @@ auto measurePieces(const CellSource& source, const std::vector<Index>& cells, co
   return found;
 }
 
-/// Puts lists together in the order of cells.
+/// Returns the entries of all lists, sorted by cell.
 template <typename List> List joined(const std::vector<List>& lists)
 {
   List all;
@@ -106,7 +107,9 @@ std::vector<ShortCell> shortCellsOf(const QualityEvaluator& evaluator, double ma
     {
       score.add(evaluator.scoreOfFace(f));
     }
-    worst[c] = (1.0 + margin) * score.worst; // all measures were divided by this
+    // Makes measures relative to the targets without the margin. Not exact for scaled Jacobians with a limit above 0
+    // and for lower bounds such as leastOfFaceCosine.
+    worst[c] = (1.0 + margin) * score.worst;
   });
   std::vector<ShortCell> cells;
   for (Index c = 0; c < worst.size(); ++c)

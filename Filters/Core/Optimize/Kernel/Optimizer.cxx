@@ -33,6 +33,7 @@ void spread(const CellSource& source, const std::vector<Index>& cells, std::vect
   });
 }
 
+/// Returns marks of the points that may move. A movable point brings along all movable points with the same leader.
 std::vector<char> pointsToMove(const CellSource& source, const std::vector<ShortCell>& shortCells,
                                const VertexConstraints& constraints, int rings, const RunContext& context)
 {
@@ -59,6 +60,7 @@ std::vector<char> pointsToMove(const CellSource& source, const std::vector<Short
   return points;
 }
 
+/// Returns the worst metrics of all judged cells and their faces.
 LeastMetrics leastOf(const QualityEvaluator& judge, const RunContext& context)
 {
   const Region& region = judge.region();
@@ -82,7 +84,7 @@ LeastMetrics leastOf(const QualityEvaluator& judge, const RunContext& context)
   return least;
 }
 
-/// One pass over the points of a region that fall short.
+/// Makes passes over the movable points of a region.
 class Sweeper
 {
 public:
@@ -99,7 +101,7 @@ public:
     }
   }
 
-  /// The number of points moved.
+  /// Makes one pass. Returns the number of points that moved.
   std::size_t sweep()
   {
     std::vector<char> moved(region.movable.size(), 0);
@@ -124,7 +126,7 @@ public:
   bool isAwake() const { return std::ranges::find(awake, 1) != awake.end(); }
 
 private:
-  /// Points of a color that may find a better place, in order.
+  /// Returns the points of a color that may find a better position, in order.
   std::span<const Index> pointsToSearch(std::size_t color)
   {
     toSearch.clear();
@@ -139,7 +141,7 @@ private:
     return toSearch;
   }
 
-  /// Whether the point moved.
+  /// Moves a point to a better position if there is one. Returns true if it moved.
   bool improve(Index m, PointSearch& search)
   {
     const bool moved = search.improve(m, states[m]);
@@ -148,7 +150,7 @@ private:
     return moved;
   }
 
-  /// Searches have much room of their own, so those not in use are kept.
+  /// Returns a search that is not in use, or a new one. Searches hold much memory, so they are used again.
   std::unique_ptr<PointSearch> takeSearch()
   {
     const std::scoped_lock lock(searchMutex);
@@ -166,7 +168,7 @@ private:
     searches.push_back(std::move(search));
   }
 
-  /// By cell the movable points it has.
+  /// Lists the movable points of each judged cell.
   void findNeighbors()
   {
     pointsOf = fillBuckets(region.judgedCount(), SerialExecutor(), [&](auto&& use) {
@@ -180,7 +182,7 @@ private:
     });
   }
 
-  /// A point is looked at again once a point of its cells has moved.
+  /// Marks the points to be searched in the next pass: all points of cells around points that moved.
   void wake(const std::vector<char>& moved)
   {
     for (Index m = 0; m < moved.size(); ++m)
@@ -203,18 +205,18 @@ private:
   const VertexConstraints& constraints;
   const OptimizerOptions& options;
   const RunContext& context;
-  /// Of the cells as they were at first.
+  /// Worst metrics of the region before the first pass.
   LeastMetrics floor;
   std::mutex searchMutex;
   std::vector<std::unique_ptr<PointSearch>> searches;
   Colors colors;
   std::vector<SearchState> states;
   std::vector<char> awake;
-  /// In a row; most points that failed so often never find a better place.
+  /// Failures in a row after which a point is not searched any more. Most such points never find a better position.
   static constexpr char mostFailures = 3;
   std::vector<char> failures;
   std::vector<Index> toSearch;
-  Buckets pointsOf; ///< by judged cell
+  Buckets pointsOf; ///< one list per judged cell
 };
 
 void prepareConstraints(const Region& region, VertexConstraints& constraints, const RunContext& context)
@@ -224,7 +226,8 @@ void prepareConstraints(const Region& region, VertexConstraints& constraints, co
   constraints.prepare(ids, context);
 }
 
-/// The last few points that creep on may not be worth a sweep.
+/// Makes passes until one moves no more than a share of the most points that a pass has moved: the last few points may
+/// not be worth a pass. If patient, makes passes until no point is left to search.
 void sweepWhileWorthwhile(Sweeper& sweeper, const OptimizerOptions& options, const RunContext& context)
 {
   constexpr double worthwhile = 0.02;
@@ -246,7 +249,7 @@ void sweepWhileWorthwhile(Sweeper& sweeper, const OptimizerOptions& options, con
   }
 }
 
-/// Of points that are not where they were: the cells about them, in order.
+/// Returns the cells around points that have moved, by their numbers in the mesh, in order.
 std::vector<Index> cellsAboutMoved(const Region& region, const std::vector<Vec3>& before, const RunContext& context)
 {
   std::vector<char> marked(region.judgedCount(), 0);
@@ -264,6 +267,7 @@ std::vector<Index> cellsAboutMoved(const Region& region, const std::vector<Vec3>
   return cells;
 }
 
+/// Copies the positions of the movable points to the mesh.
 void takePoints(const Region& region, std::vector<Vec3>& points)
 {
   for (const Index local : region.members)

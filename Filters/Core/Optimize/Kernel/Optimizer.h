@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Moves points until the cells about them are valid and good.
+/// Moves points until the cells around them are valid and good.
 #pragma once
 
 #include "Optimize/Kernel/MeasuredCells.h"
@@ -10,45 +10,49 @@ namespace atria {
 struct OptimizerOptions : SearchRules
 {
   QualityTargets targets;
-  /// By which share of the way from limit to target to aim beyond the targets: points are not moved for what is within
-  /// a hundredth of the aim.
+  /// Share of the distance from limit to target by which the optimizer aims beyond the targets. Points within a
+  /// hundredth of the aim do not move, by the default of leastPenalty.
   double margin = 0.03;
-  /// Passes over the points whose cells fall short of the targets.
+  /// Largest number of passes over the points whose cells fall short of the targets.
   int sweeps = 20;
-  /// Whether the last few points that creep on are waited for, and points are tried again however often they found no
-  /// better place.
+  /// True to make passes until no point is left to search, and to search points however often they found no better
+  /// position. Otherwise passes end when few points still move.
   bool patient = false;
-  /// Rings of cells about one that falls short whose points may move with its own.
+  /// Number of rings of cells around those that fall short whose points may move, too.
   int rings = 0;
-  /// Whether no metric of LeastMetrics may get worse than it was in the worst of the cells looked at.
+  /// True if no metric of LeastMetrics may get worse than its worst value in the region before.
   bool keepWorst = false;
-  /// Whether progress from 0 to 1 is told.
+  /// True to report progress from 0 to 1.
   bool tellProgress = false;
-  /// How far a point is moved at first, as a part of the cells' size.
+  /// Largest length of a point's first step, as a share of the cells' size.
   double firstReach = 0.1;
 };
 
-/// Improves cells that fall short of the targets by moving points, those of the cells and of `rings` of cells about
-/// them, one after the other, each to where the penalty of the cells about it is less and their worst, unless it is bad
-/// already, no worse. `points` are those of the source, which must see changes to them. Returns those of
-/// `cells` and of all cells about moved points that fall short then, in order; other cells are as before. The same bits
-/// for any number of threads: points that depend on each other are moved in a fixed order. `changed`, if it is given,
-/// gets the cells about points that moved, in order.
+/// Improves cells that fall short of the targets by moving points: those of `cells`, and of `options.rings` rings of
+/// cells around them. Points move one after the other, each to where the penalty of the cells around it is smaller.
+/// Their worst measure does not get worse, unless it is poor already; see SearchRules. `points` are those of the
+/// source, which must see changes to them.
+///
+/// Returns the cells that fall short afterwards, in order: all of those around points that could move, and the rest of
+/// `cells` as they were passed. All other cells keep their shape. `changed`, if given, is set to the cells around
+/// points that moved, in order; it stays as it is if no point may move. Points that depend on each other are moved in a
+/// fixed order, so that the result has the same bits for any number of threads. Throws Aborted when asked to.
 std::vector<ShortCell> optimize(const CellSource& source, std::vector<Vec3>& points,
                                 const std::vector<ShortCell>& cells, VertexConstraints& constraints,
                                 const OptimizerOptions& options, const RunContext& context,
                                 std::vector<Index>* changed = nullptr);
 
-/// Where a point ought to be.
+/// A point and the position that it should have.
 struct WantedPlace
 {
   Index point;
   Vec3 place;
 };
 
-/// Moves points towards where they ought to be, one after the other, each as far as no cell about it falls below
-/// `least` (see ShortCell) or, where one is below already, further. Points must be leaders, in rising order. Returns
-/// the cells about those that moved that fall short then; `changed` gets all cells about them.
+/// Moves points toward the positions that they should have, one after the other, by all of the way, 1/2, 1/4 or 1/8.
+/// The worst measure around a point does not fall below `least` (ShortCell::worst), or below its present value if that
+/// is smaller. Points must be leaders, in rising order. Returns the cells around points that moved that fall short
+/// afterwards; sets `changed` to all cells around these points. Throws Aborted when asked to.
 std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& points,
                                 const std::vector<WantedPlace>& wanted, const VertexConstraints& constraints,
                                 double least, const QualityTargets& targets, const RunContext& context,

@@ -10,23 +10,25 @@ namespace atria {
 
 namespace {
 
-/// How far to go, as parts of the cells' size: for derivatives, and at least; and at most.
+/// Smallest and largest length of steps, as shares of the cells' size. Derivatives are taken over the smallest.
 constexpr double leastTrust = 1e-3;
 constexpr double mostTrust = 0.5;
-/// Of measures that are nothing but rounding.
+/// Difference of relative measures that is nothing but rounding.
 constexpr double noise = 1e-6;
-/// Of the trace of the normal equations: where residuals hardly depend on a direction, steps along it stay short.
+/// Share of the trace of the normal equations that is added to their diagonal. It keeps steps short in directions on
+/// which residuals hardly depend.
 constexpr double damping = 0.03;
 
 } // namespace
 
-/// The point stays at the place looked at.
+/// Moves the point to the allowed position nearest to p, and returns the score there.
 Score PointSearch::scoreAt(const Vec3& p, const LookLimits& limits)
 {
   return judge.look(star, constraints.place(pointId, p), limits);
 }
 
-/// Beyond these no place is better: the worst may not get worse, unless it stays good or was poor already.
+/// Returns the limits beyond which no position is better. The worst measure may not get worse, unless it stays at its
+/// target or is poor already; see SearchRules::leastWorst.
 LookLimits PointSearch::limitsOf(const Score& now) const
 {
   const double enough = now.worst < poor ? rules_.leastWorst : 1.0;
@@ -39,7 +41,7 @@ bool PointSearch::isBetter(const Score& there, const Score& now) const
   return there.penalty < limits.penalty && there.worst >= limits.worst && noMetricIsWorse();
 }
 
-/// Of the place where the point is now.
+/// True if no metric is below the floor at the present position of the point.
 bool PointSearch::noMetricIsWorse() const
 {
   if (!floor_)
@@ -57,7 +59,8 @@ bool PointSearch::noMetricIsWorse() const
   return true;
 }
 
-/// Moves the point there if that is better than now.
+/// Moves the point to the allowed position nearest to p. Returns true, and keeps the scores there, if it is better than
+/// `now`. Otherwise the caller must move the point on or back.
 bool PointSearch::moveIfBetter(const Vec3& p, const Score& now)
 {
   const bool better = isBetter(scoreAt(p, limitsOf(now)), now);
@@ -88,7 +91,7 @@ bool PointSearch::improve(Index movable, SearchState& state)
   return moved;
 }
 
-/// Moves the point entered, if there is a better place.
+/// Moves the point that was entered if there is a better position. Returns true if it moved.
 bool PointSearch::move(const Score& now, double& trust)
 {
   if (rules_.tryMiddle && now.worst < poor)
@@ -110,7 +113,7 @@ bool PointSearch::move(const Score& now, double& trust)
       return true;
     }
   }
-  // Where points coincide derivatives say nothing.
+  // Derivatives are of no use if points coincide.
   if ((now.worst < 0.0 || step.gain <= 0.0 || rules_.tryMiddle) && probe(now, trust * star.size))
   {
     return true;
@@ -139,7 +142,8 @@ void PointSearch::approach(Index movable, const Vec3& place, double least)
   judge.restore(star);
 }
 
-/// Moves the point to the best of the places at this distance along the axes, if one is better than now.
+/// Moves the point to the best of the six positions at distance `reach` along the axes. Returns true if that one is
+/// better than `now`.
 bool PointSearch::probe(const Score& now, double reach)
 {
   Vec3 best = origin;
@@ -159,7 +163,7 @@ bool PointSearch::probe(const Score& now, double reach)
   return best != origin && moveIfBetter(best, now);
 }
 
-/// The mean of the points at the other ends of the point's edges.
+/// Returns the mean of the points at the other ends of the point's edges.
 Vec3 PointSearch::middle() const
 {
   const Region& region = judge.region();
@@ -188,7 +192,7 @@ Vec3 PointSearch::middle() const
   return sum / std::max<double>(1.0, static_cast<double>(ends.size()));
 }
 
-/// The derivatives of the residuals that are not 0 along a way.
+/// Sets `along` to the derivatives along a direction of the residuals that are not 0, as differences over the length h.
 void PointSearch::derive(const Vec3& way, double h, std::vector<double>& along)
 {
   along.assign(residuals.values.size(), 0.0);
@@ -200,13 +204,14 @@ void PointSearch::derive(const Vec3& way, double h, std::vector<double>& along)
   }
 }
 
-/// To where the residuals, taken as linear, have the least sum of squares, but not farther than `reach`.
+/// Returns the damped Gauss-Newton step: to the smallest sum of squares of the linearized residuals, but not longer
+/// than `reach`.
 PointSearch::Step PointSearch::gaussNewtonStep(double reach)
 {
   judge.residualsOf(star, residuals);
   const double h = leastTrust * star.size;
   const Ways ways = constraints.waysFrom(pointId, origin, h);
-  // Of ways there are not, nothing.
+  // Entries of missing directions stay 0.
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Vec3 gradient = Vec3::Zero();
   for (int i = 0; i < ways.count; ++i)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds better positions for single points.
 #pragma once
 
 #include "Optimize/Kernel/QualityEvaluator.h"
@@ -6,52 +7,57 @@
 
 namespace atria {
 
-/// How better places are looked for.
+/// Rules for the search for better positions.
 struct SearchRules
 {
-  /// Whether points of bad cells are tried in the middle of the points about them first.
+  /// True to try the middle of a point's neighbors first if it has a poor cell, and positions along the axes last. If
+  /// false, positions along the axes are tried only if a cell is invalid or derivatives are of no use.
   bool tryMiddle = false;
-  /// Points whose cells have less of a penalty stay, and those that would lose less than this share of it.
+  /// Points stay if the penalty of their cells is below leastPenalty, or would decrease by less than the share
+  /// leastGain of it.
   double leastPenalty = 1e-4;
   double leastGain = 0.01;
-  /// No cell whose least measure is above this falls below it for the good of others. Without it, what is bad by one
-  /// measure may become worse by others for what is gained in the whole.
+  /// Lower bound for the smallest relative measure around a point that has a poor cell. No move lowers it below this;
+  /// if it is below already, no move lowers it further. Without this bound, cells that are poor by one measure may
+  /// become worse by others for a gain in the sum.
   double leastWorst = -std::numeric_limits<double>::infinity();
-  /// Steps that are tried for a point, each 0.4 of the one before, and by which share of itself the penalty has to
-  /// change before a point that found no better place is looked at again.
+  /// Number of steps that are tried for a point, each 0.4 times as long as the one before.
   int tries = 2;
+  /// Change of the penalty, as a share of it, after which a point that found no better position is searched again.
   double leastChange = 0.3;
 };
 
-/// What is known of a point from one search to the next.
+/// State of a point between two searches.
 struct SearchState
 {
-  /// How far to go, as a part of the cells' size.
+  /// Largest length of the next step, as a share of the cells' size.
   double trust;
-  /// The penalty of the cells about it when no better place was found; 0 where one was.
+  /// Penalty of the cells around the point when no better position was found; 0 if one was.
   double stuckAt = 0.0;
 };
 
-/// Looks for a better place for one point at a time.
+/// Finds a better position for one point at a time.
 class PointSearch
 {
 public:
-  /// Below `floor`, if it is given, no metric of the cells about a point may get; it must outlive the search.
+  /// If `floor` is given, improve() lets no metric of the cells around a point fall below it. `floor` must outlive the
+  /// search.
   PointSearch(QualityEvaluator& qualities, const VertexConstraints& vertexConstraints, const SearchRules& rules = {},
               const LeastMetrics* floor = nullptr)
       : judge(qualities), constraints(vertexConstraints), rules_(rules), floor_(floor)
   {
   }
 
-  /// Moves the point if there is a place near it where the penalty of the cells about it is less and their worst no
-  /// worse. It is not looked for where there was none before and the penalty is much the same. Whether it moved.
+  /// Moves the point to a position near it where the penalty of the cells around it is smaller and their worst measure
+  /// is within the bounds of SearchRules. Does nothing if no such position was found before and the penalty is much the
+  /// same. Returns true if the point moved.
   bool improve(Index movable, SearchState& state);
-  /// Moves the point towards `place` as far as the worst of the cells about it is not below `least`, or not below what
-  /// it is.
+  /// Moves the point to `place`, or to 1/2, 1/4 or 1/8 of the way: the first of these where the worst measure around it
+  /// is not below `least`, or not below its present value if that is smaller. The point stays if there is none.
   void approach(Index movable, const Vec3& place, double least);
 
 private:
-  /// A way to go, and what the penalty is expected to lose by it.
+  /// A displacement, and the expected decrease of the penalty.
   struct Step
   {
     Vec3 way;
@@ -75,7 +81,7 @@ private:
   VertexStar star;
   Residuals residuals;
   std::vector<double> beside;
-  /// Of the residuals, along the ways the point may go.
+  /// Derivatives of the residuals along the directions in which the point may move.
   std::array<std::vector<double>, 3> derivatives;
   Index pointId = noIndex;
   Vec3 origin;

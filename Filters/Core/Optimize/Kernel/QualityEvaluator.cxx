@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures of a region, kept while points of it move. How they are judged is in EvaluatorScores.cxx.
+// Keeps the measures of a region while its points move. EvaluatorScores.cxx judges them.
 #include "Optimize/Kernel/QualityEvaluator.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t grain = 256;
 
-/// Lists the numbers below `count`, first those that `isFirst`. Returns how many these are.
+/// Lists the numbers below `count`, first those for which `isFirst` is true. Returns how many these are.
 template <typename IsFirst> std::size_t listFirst(std::vector<Index>& list, std::size_t count, IsFirst&& isFirst)
 {
   list.clear();
@@ -88,7 +88,7 @@ double QualityEvaluator::meanEdgeOf(Index cell, const std::vector<double>& perim
   return length / std::max(static_cast<double>(count), 1.0);
 }
 
-/// Faces between cells about the point are counted twice.
+/// The sum is an upper bound: faces between two cells around the point are counted twice.
 bool QualityEvaluator::isGood(std::size_t movable, double penalty) const
 {
   double sum = 0.0;
@@ -179,8 +179,8 @@ void QualityEvaluator::prepare(VertexStar& star) const
   }
 }
 
-/// Sets in what order to look, and by what those that fall short are measured: cells by their faces, faces by the cells
-/// on both sides.
+/// Sets the order of judging. Lists first the cells and faces that shortfalls depend on: those of a cell depend on its
+/// faces, those of a face on the cells on both sides.
 void QualityEvaluator::findFirst(VertexStar& star) const
 {
   const auto cellCount = static_cast<Index>(star.cells.size());
@@ -201,7 +201,7 @@ void QualityEvaluator::findFirst(VertexStar& star) const
     return star.marks[i] ||
            std::ranges::any_of(slotsOf(i), [&](Index slot) { return star.marks[cellCount + slot] != 0; });
   });
-  // From here on of faces whether they are looked at first.
+  // From here on, marks are of faces: 1 if a face is listed first.
   star.marks.assign(star.faces.size(), 0);
   for (std::size_t i = 0; i < star.firstMeasured; ++i)
   {
@@ -265,7 +265,7 @@ void QualityEvaluator::moveForResiduals(VertexStar& star, const Vec3& p)
   measureFirst(star);
 }
 
-/// The running sum is that of another order, so it may differ by rounding.
+/// The running sum has another order than the sum that is returned, so it may differ by rounding.
 Score QualityEvaluator::look(VertexStar& star, const Vec3& p, const LookLimits& limits)
 {
   constexpr double surely = 1.0 + 1e-9;

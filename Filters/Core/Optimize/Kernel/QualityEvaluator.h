@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How far the cells of a region are from good, by the measures solvers judge by.
+/// Judges how far the cells of a region are from good, by the measures that solvers use.
 #pragma once
 
 #include "Optimize/Kernel/QualityTargets.h"
@@ -8,11 +8,11 @@
 
 namespace atria {
 
-/// Measures below this are hardly valid or not at all.
+/// Relative measure below which a cell is poor: hardly valid or not at all.
 inline constexpr double poor = 0.3;
 
-/// By how much a measure falls short: 0 at the target. What is poor counts for more, so that it is not left for the
-/// good of others.
+/// Returns the shortfall of a relative measure: 0 if it reaches the target. Poor measures count more, so that they are
+/// not left as they are for the good of others.
 inline double shortfallOf(double q)
 {
   constexpr double stress = 3.0;
@@ -35,17 +35,18 @@ struct Measure
     skewness,
     weight,
     volumeRatio,
-    kinds ///< how many there are
+    kinds ///< number of kinds
   };
   Kind kind;
-  std::uint8_t part = 0; ///< of those that a cell or a face has several of
+  std::uint8_t part = 0; ///< number among the measures of this kind of the same cell or face
   Index cell = noIndex;
   Index face = noIndex;
-  Index other = noIndex; ///< face
-  Index slot = noIndex;  ///< the face's place in a star
+  Index other = noIndex; ///< the other face, for convexity
+  Index slot = noIndex;  ///< place of the face in VertexStar::faces
 };
 
-/// Sum of the squares of what all measures fall short, and the least measure, if it is not far above 1.
+/// Sum of the squared shortfalls of all measures, and the smallest relative measure. Measures above farAbove are
+/// ignored; if all are, the smallest is infinite.
 struct Score
 {
   static constexpr double farAbove = 1.001;
@@ -53,7 +54,7 @@ struct Score
   double worst = std::numeric_limits<double>::infinity();
 
   void add(const Measure& /*measure*/, double q) { add(q, q); }
-  /// Of the worst no less than `least`.
+  /// Adds a measure that lowers `worst` to no less than `least`.
   void add(const Measure& /*measure*/, double q, double least) { add(q, std::max(q, least)); }
   void add(const Score& other)
   {
@@ -74,7 +75,7 @@ private:
   }
 };
 
-/// The measures that fall short, and by how much.
+/// The measures that fall short, and their shortfalls.
 struct Residuals
 {
   std::vector<Measure> measures;
@@ -91,8 +92,8 @@ struct Residuals
   void add(const Measure& measure, double q, double /*least*/) { add(measure, q); }
 };
 
-/// The least of what Quality/Metrics.h measures of cells and their faces, and some of Quality/CheckQuantities.h.
-/// Skewness counts negative, so that more is better in all.
+/// Worst values of the metrics in Quality/Checks/Metrics.h, and of some quantities in Quality/Checks/CheckQuantities.h.
+/// They are in a form in which more is better; skewness is negated.
 struct LeastMetrics
 {
   enum Metric : std::uint8_t
@@ -105,8 +106,8 @@ struct LeastMetrics
     volume,
     scaledJacobian, // NOLINT(clang-diagnostic-shadow): named as the function for it
     weight,         ///< OpenFOAM's interpolation weight
-    volumeRatio,    ///< of neighbors, the smaller over the larger
-    determinant,    ///< OpenFOAM's
+    volumeRatio,    ///< smaller over larger volume of neighbors
+    determinant,    ///< OpenFOAM's cell determinant
     count
   };
   std::array<double, count> values;
@@ -122,7 +123,7 @@ struct LeastMetrics
   }
 };
 
-/// Twice the area vectors of triangles of a quadrilateral: those about the centroid, and 012, 023, 123 and 130 of the
+/// Twice the area vectors of triangles of a quadrilateral: four around its centroid, and 012, 023, 123 and 130 of its
 /// corners.
 struct QuadShape
 {
@@ -136,61 +137,64 @@ struct QuadShape
   std::array<Vec3, 4> half;
 };
 
-/// The cells about a point that may move, and what depends on it.
+/// The cells around a point that may move, and all that depends on its position.
 struct VertexStar
 {
   Index point = noIndex; ///< the leader
   std::vector<Index> points;
-  std::vector<double> shares; ///< of the leader's way, by point
-  double size = 0.0;          ///< mean edge of the cells
+  std::vector<double> shares; ///< one entry per point: its share of the leader's displacement
+  double size = 0.0;          ///< mean edge of the cells, in model units
   std::vector<Index> cells;
   std::vector<Index> faces; ///< all faces of the cells
-  /// Of each cell's faces, in the region's order, the places in `faces`; those of cell i begin at offsets[i].
+  /// Places in `faces` of each cell's faces, in the region's order. Cell i has those from offsets[i] on.
   std::vector<Index> slots;
   std::vector<Index> offsets;
-  /// Cells and, by their places in `faces`, those that have one of the points. The first few are those by which what
-  /// falls short is measured.
+  /// `measured` lists all cells by their places in `cells`. `moving` lists the faces that have one of the points by
+  /// their places in `faces`. The first firstMeasured and firstMoving of them are all that shortfalls depend on.
   std::vector<Index> measured;
   std::vector<Index> moving;
   std::size_t firstMeasured = 0;
   std::size_t firstMoving = 0;
-  /// Of the faces; nothing for those that are no quadrilaterals. Parts are made when they are first looked at; which
-  /// were is kept apart, as most never are.
+  /// Shapes of the faces that are quadrilaterals, and the QuadShape::Part bits of those computed. They are computed
+  /// when first needed. `parts` is a separate list because most shapes never are.
   std::vector<QuadShape> shapes;
   std::vector<std::uint8_t> parts;
-  /// Of the cells and then of the faces, at the place looked at last.
+  /// Scores of the cells, then of the faces, at the position judged last.
   std::vector<Score> scores;
-  /// Places in `scores`; first what fell short before, as it will tell soonest that a place is no better.
+  /// Places in `scores` in the order of judging. The first firstInOrder of them fell short before: they show soonest
+  /// that a position is no better.
   std::vector<Index> order;
   std::size_t firstInOrder = 0;
-  /// As they were before the point was moved: the leader's place and all points', the faces that move, the cells.
+  /// State before the point was moved: positions of the leader and of all points, measures of the moving faces and of
+  /// the cells.
   Vec3 origin;
   std::vector<Vec3> pointsBefore;
   std::vector<FaceMeasure> facesBefore;
   std::vector<CellMeasure> cellsBefore;
-  /// By face of the region, its place in `faces` if the entry is of this star.
+  /// One entry per face of the region: its place in `faces`, valid if `star` is the number of this star.
   struct Entry
   {
     Index star = 0;
     Index place = 0;
   };
   std::vector<Entry> entries;
-  /// By point of the region, the last star that it was one of the points of.
+  /// One entry per point of the region: number of the last star that it was a member of.
   std::vector<Index> stars;
-  Index number = 0; ///< of this star, from 1 on
-  /// Room for marks.
+  Index number = 0; ///< number of this star, 1 and up
+  /// Buffer for marks.
   std::vector<char> marks;
 };
 
-/// Up to where a look at a place is of use: scores with a greater penalty or a worse measure need not be complete.
+/// Limits beyond which a position is of no use. Scores with a greater penalty or a smaller worst measure need not be
+/// complete.
 struct LookLimits
 {
   double penalty = std::numeric_limits<double>::infinity();
   double worst = -std::numeric_limits<double>::infinity();
 };
 
-/// Keeps the measures of a region's faces and cells and judges by them. Points in whose stars no cell is the same or a
-/// neighbor of the other's may be moved at the same time by different threads.
+/// Keeps the measures and scores of a region's faces and cells. Threads may move two points at the same time if no cell
+/// around one is the same as a cell around the other, or its neighbor.
 class QualityEvaluator
 {
 public:
@@ -199,35 +203,39 @@ public:
   const Region& region() const { return region_; }
   double sizeOf(Index cell) const { return sizes[cell]; }
 
-  /// Whether hardly anything about a point falls short: nothing, or less than surely makes a penalty of this.
+  /// Returns true if the penalty around a movable point is 0, or below `penalty` for certain.
   bool isGood(std::size_t movable, double penalty) const;
+  /// Fills a star with the cells around a movable point.
   void enter(std::size_t movable, VertexStar& star) const;
-  /// Before the point of a star that was entered is moved.
+  /// Stores the state of a star that was entered, before its point is moved.
   void prepare(VertexStar& star) const;
-  /// Moves the star's point and measures all that depends on it. Scores are kept as they are until `accept`.
+  /// Moves the star's point and measures all that depends on it. Kept scores do not change until accept().
   void move(VertexStar& star, const Vec3& p);
-  /// As `move`, but only for `residualsOf`.
+  /// The same, but measures only what residualsOf() and residualsBeside() depend on.
   void moveForResiduals(VertexStar& star, const Vec3& p);
-  /// All as it was when the star was prepared; the star is of no use then.
+  /// Restores the state that prepare() stored. The star must be prepared again before further use.
   void restore(const VertexStar& star);
-  /// Moves the star's point and judges it there. What is beyond the limits is not measured to the end.
+  /// Moves the star's point and returns the score there. Stops early once a limit is exceeded; the score is then not
+  /// complete.
   Score look(VertexStar& star, const Vec3& p, const LookLimits& limits = {});
-  /// Keeps what was seen in the last look, which was not cut short.
+  /// Keeps the scores of the last look(), which must not have stopped early.
   void accept(const VertexStar& star);
 
-  /// Kept scores.
+  /// Return kept scores; that of a star is the sum over its cells and faces.
   Score scoreOf(const VertexStar& star) const;
   Score scoreOfCell(Index cell) const { return cellScores[cell]; }
   Score scoreOfFace(Index face) const { return faceScores[face]; }
-  /// Of a cell and its faces, the least of each kind of measure as a share of the way from limit to target; those that
-  /// are not below the target need not be told.
+  /// Returns the smallest relative measure of each kind, of a cell and its faces. Kinds that reach their target may be
+  /// infinite.
   std::array<double, Measure::kinds> leastOf(Index cell) const;
 
-  /// The measures that fall short of the cells and faces of a star whose kept scores do, in the same order always.
+  /// Lists the measures that fall short, of the cells and faces of a star whose kept scores do; always in the same
+  /// order.
   void residualsOf(VertexStar& star, Residuals& out) const;
-  /// By how much these fall short after a move.
+  /// Sets `out` to the shortfalls that the measures in `before` have after a move.
   void residualsBeside(VertexStar& star, const Residuals& before, std::vector<double>& out) const;
 
+  /// Return metrics in the current state; that of a star is the worst of its cells and faces.
   LeastMetrics metricsOf(const VertexStar& star) const;
   LeastMetrics metricsOfCell(Index cell) const;
   LeastMetrics metricsOfFace(Index face) const;
@@ -281,7 +289,7 @@ private:
   std::vector<FaceMeasure> faces;
   std::vector<CellMeasure> cells;
   std::vector<double> sizes;
-  /// Factors that make volumes of a cell's tetrahedra relative to its size and the target.
+  /// One entry per cell: factor that makes volumes of its tetrahedra relative to its size and the target.
   std::vector<double> cornerScales;
   std::vector<Score> cellScores;
   std::vector<Score> faceScores;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
-/// For each point that is marked its leader, both as in the region; for others noIndex.
+/// Returns one entry per point of the region: its leader as a number of the region, noIndex if the point is not marked.
 std::vector<Index> leadersIn(const Region& region, const std::vector<char>& marked,
                              const VertexConstraints& constraints, const RunContext& context)
 {
@@ -43,7 +43,8 @@ template <typename Use> void eachLeaderOf(std::span<const Index> corners, const 
   }
 }
 
-/// For each leader of marked points, in order: the judged cells that have one of its points, and these points.
+/// Adds the sets of marked points in the order of their leaders: leaders, members, and the judged cells that have a
+/// member.
 void addStars(Region& region, const Extraction& extraction, const std::vector<Index>& leaders,
               const RunContext& context)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The part of a mesh that is optimized, in arrays of its own.
+/// Holds the part of a mesh that is optimized, in arrays of its own.
 #pragma once
 
 #include "Optimize/Kernel/CellMeasure.h"
@@ -11,31 +11,33 @@ namespace atria {
 /// Faces and corners of the judged cells of a region, or of some of them.
 struct RegionCells
 {
-  /// Faces of judged cells, once each; the normal points out of the owner, which is judged. `neighbor` is a cell of
-  /// either kind, or noIndex on the mesh's boundary.
+  /// Faces of judged cells, each once. The normal points out of the owner, which is a judged cell. The neighbor is a
+  /// judged cell or a ghost; noIndex on the boundary of the mesh.
   std::vector<Index> faceOffsets{0};
   std::vector<Index> facePoints;
   std::vector<Index> owner;
   std::vector<Index> neighbor;
-  /// Of each judged cell, its corners numbered as in `points`; empty unless they were asked for.
+  /// One entry per judged cell: its corners as indices into `points`. Empty if they were not requested.
   std::vector<NativeCell> natives;
 };
 
-/// Cells about points that may move, and beside them cells that are only measured. Every cell about a
-/// point that may move is judged, so what is outside the region does not change. Cells are any closed polyhedra.
+/// Cells that are judged, around points that may move, and ghosts: cells beside them that are only measured. Every cell
+/// around a point that may move is judged, so nothing outside the region changes. Cells are closed polyhedra of any
+/// shape.
 struct Region : RegionCells
 {
-  /// Points of the judged cells, and their numbers in the mesh, in whose order they are where some may move.
+  /// Points of the judged cells, and their numbers in the mesh. They are in the order of these numbers if some may
+  /// move.
   std::vector<Vec3> points;
   std::vector<Index> pointIds;
-  /// Faces of each judged cell; the judged cells are the first, in the order of the mesh.
+  /// Faces of each judged cell, and the cells' numbers in the mesh. Judged cells come first, in the order of the mesh.
   Buffer<Index> cellOffsets{0};
   Buffer<Index> cellFaces;
   std::vector<Index> cellIds;
-  /// The others, after the judged ones.
+  /// Measures of the ghosts, which are numbered after the judged cells.
   std::vector<SizedCell> ghosts;
-  /// Points that may move, in sets that move as one: the leader of each set, its members with their shares of its way,
-  /// and the cells about them.
+  /// Points that may move, in sets that move together. Each set has a leader, members with their shares of the leader's
+  /// displacement, and the judged cells around them.
   std::vector<Index> movable;
   std::vector<Index> memberOffsets{0};
   Buffer<Index> members;
@@ -68,11 +70,13 @@ struct Region : RegionCells
   }
 };
 
-/// The region of some cells, in order, in which no point may move; points and cells beside are in no order.
+/// Returns the region of `cells`, which are in order. No point of it may move, and its points and ghosts are in no
+/// order. Throws Aborted when asked to.
 Region extractCells(const CellSource& source, std::vector<Index> cells, bool withNatives, const RunContext& context);
 
-/// The region in which the points marked may move, each with all others that have the same leader; these are marked,
-/// too, and their leader is one of them. O(cells) to find it, the rest in the region's size.
+/// Returns the region in which the marked points may move. With a marked point, its leader and all points that have
+/// this leader must be marked. Marks take O(cells and points of the mesh); all else depends on the size of the region.
+/// Throws Aborted when asked to.
 Region extractRegion(const CellSource& source, const std::vector<char>& marked, const VertexConstraints& constraints,
                      bool withNatives, const RunContext& context);
 

@@ -5,7 +5,7 @@ namespace atria {
 
 Ways VertexConstraints::waysFrom(Index point, const Vec3& p, double step) const
 {
-  // Of a step, what is more than rounding or the bend of a surface.
+  // Shorter components, as shares of a step, are rounding or the bend of a surface.
   constexpr double least = 0.05;
   const Vec3 origin = place(point, p);
   std::array<Vec3, 3> rest;
