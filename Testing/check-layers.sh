@@ -42,7 +42,8 @@ rooms=(Support Grid
   Layer Audit
   Quality/Faces Quality/Checks Quality/Unions
   Optimize/Kernel Optimize/Constraints Optimize/AnyMesh
-  Mesher/Improvement Mesher/Blocks Mesher/Shares Mesher)
+  Mesher/Improvement Mesher/Blocks Mesher
+  Ranks)
 earlier=
 for room in "${rooms[@]}"; do
   earlier+="${earlier:+|}$room"

@@ -7,7 +7,7 @@
 #include "Report.h"
 #include "Words.h"
 
-#include <Mesher/ModelOptions.h>
+#include <Mesher/ModelRepair.h>
 #include <Surface/Inspection/Inspection.h>
 #include <Surface/Inspection/Problems.h>
 
@@ -316,7 +316,7 @@ Json hiddenAt(double size, const TriangleSurface& surface, Console& console)
   try
   {
     const RunContext context{executor, ProgressRange(monitor)};
-    return hiddenDetailOf(makeSurfaceModel(placeModel(surface, model), model, context).repair.hidden, surface.names);
+    return hiddenDetailOf(reportRepair(surface, model, context).hidden, surface.names);
   }
   catch (const Aborted&)
   {

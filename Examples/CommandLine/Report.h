@@ -2,7 +2,7 @@
 /// Makes the parts of the JSON reports, and prints some of them.
 #pragma once
 
-#include <Surface/Repair/SurfaceRepair.h>
+#include <Surface/Repair/RepairReport.h>
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 /// Converts meshes that ranks made together from the core to VTK.
 #pragma once
 
-#include "Mesher/SharedModel.h"
+#include "Ranks/SharedModel.h"
 #include "Support/RankExchange.h"
 
 class vtkPartitionedDataSetCollection;

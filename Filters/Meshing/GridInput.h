@@ -2,7 +2,7 @@
 /// Converts the properties and input data of filters of a model's grid to structures of the core.
 #pragma once
 
-#include "Mesher/ModelOptions.h"
+#include "Mesher/ModelStages.h"
 #include "Support/RankExchange.h"
 
 #include <functional>

@@ -11,6 +11,7 @@
 #include "PropertyRange.h"
 #include "Ranks.h"
 #include "Support/PatternRule.h"
+#include "Support/StageClock.h"
 #include "VtkDualMesh.h"
 #include "VtkOctree.h"
 #include "VtkRecordedPatches.h"

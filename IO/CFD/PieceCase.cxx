@@ -27,7 +27,7 @@ constexpr int mostRings = 4 * unionRings;
 /// Throws Error if a rank has no cells.
 void checkCells(std::size_t own, RankExchange& exchange)
 {
-  const auto [cells, empty] = sumOverRanks(exchange, std::array{own, own == 0 ? std::size_t{1} : 0});
+  const auto [cells, empty] = sumAll(exchange, std::array{own, own == 0 ? std::size_t{1} : 0});
   if (empty > 0)
   {
     throw Error("a mesh of " + std::to_string(cells) + " cells cannot be divided among " +
@@ -172,7 +172,7 @@ private:
       unclaimed += isRest && united.cells.isOwn[mesh.owner[mesh.internalFaceCount() + i]] ? 1 : 0;
       united.patchOf[i] = isRest ? rest : united.patchOf[i];
     }
-    const auto [all, names] = sumOverRanks(exchange, std::array{unclaimed, patches.size()});
+    const auto [all, names] = sumAll(exchange, std::array{unclaimed, patches.size()});
     if (names != patches.size() * static_cast<std::size_t>(exchange.ranks()))
     {
       throw RanksDisagree("ranks do not have the same patches");
@@ -251,7 +251,7 @@ private:
     {
       facesNow += isMade[f] && cells.isOwn[now.mesh.owner[f]] ? 1 : 0;
     }
-    const auto all = sumOverRanks(exchange, std::array{cellsBefore, cellsNow, added, facesBefore, facesNow});
+    const auto all = sumAll(exchange, std::array{cellsBefore, cellsNow, added, facesBefore, facesNow});
     return {now.verdict, now.failures, all[0] + all[2] - all[1], all[2], all[3] - all[4], hasNumbers};
   }
 

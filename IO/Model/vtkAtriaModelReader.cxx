@@ -66,9 +66,9 @@ const Format* formatOf(const char* fileName)
 }
 
 /// Returns the groups of a scene. They hold all parts if the format has a tree.
-std::vector<atria::vrml::Group> groupsOf(const model::Model& model)
+std::vector<atria::scene::Group> groupsOf(const model::Model& model)
 {
-  std::vector<atria::vrml::Group> groups;
+  std::vector<atria::scene::Group> groups;
   for (const model::PartGroup& group : model.groups)
   {
     const auto parent = group.parent ? static_cast<atria::Index>(*group.parent) : atria::noIndex;
@@ -78,9 +78,9 @@ std::vector<atria::vrml::Group> groupsOf(const model::Model& model)
 }
 
 /// Returns surfaces that have triangles, as shapes of a scene.
-atria::vrml::Scene sceneOf(const atria::model::Model& model, atria::VtkSurface read)
+atria::scene::Scene sceneOf(const atria::model::Model& model, atria::VtkSurface read)
 {
-  atria::vrml::Scene scene;
+  atria::scene::Scene scene;
   atria::TriangleSurface& surface = read.surface;
   std::vector<atria::Index> shapeOf(surface.names.size(), atria::noIndex);
   std::map<std::string, atria::Index> materials;
@@ -100,18 +100,18 @@ atria::vrml::Scene sceneOf(const atria::model::Model& model, atria::VtkSurface r
     {
       shapeOf[id] = static_cast<atria::Index>(scene.shapes.size());
       const std::string& name = surface.names[id];
-      atria::vrml::Shape shape{name};
+      atria::scene::Shape shape{name};
       if (const auto part = model.parts.find(name); part != model.parts.end())
       {
         const atria::model::Part& p = part->second;
         if (!p.material.empty())
         {
           shape.material =
-              indexOf(materials, scene.materials, p.material, [&] { return atria::vrml::Material{p.material}; });
+              indexOf(materials, scene.materials, p.material, [&] { return atria::scene::Material{p.material}; });
         }
         shape.group = !model.groups.empty() ? static_cast<atria::Index>(p.owner)
                                             : indexOf(groups, scene.groups, std::to_string(p.owner), [&] {
-                                                return atria::vrml::Group{p.name.empty() ? name : p.name};
+                                                return atria::scene::Group{p.name.empty() ? name : p.name};
                                               });
         shape.name = model.groups.empty() ? name : p.name;
       }
@@ -130,13 +130,13 @@ atria::vrml::Scene sceneOf(const atria::model::Model& model, atria::VtkSurface r
 }
 
 /// Returns a warning with the names that surfaces have when each shape is one.
-std::string textOf(const model::PartsWarning& warning, const atria::vrml::Scene& scene,
-                   const atria::vrml::Surfaces& surfaces)
+std::string textOf(const model::PartsWarning& warning, const atria::scene::Scene& scene,
+                   const atria::scene::Surfaces& surfaces)
 {
   model::NameList names;
   for (const model::PartsWarning::Member& member : warning.members)
   {
-    const auto shape = std::ranges::find_if(scene.shapes, [&](const atria::vrml::Shape& each) {
+    const auto shape = std::ranges::find_if(scene.shapes, [&](const atria::scene::Shape& each) {
       return member.group && each.group == static_cast<atria::Index>(*member.group);
     });
     const auto at = static_cast<std::size_t>(shape - scene.shapes.begin());
@@ -164,8 +164,8 @@ std::string vtkAtriaModelReader::GetFileExtensions()
   return all;
 }
 
-atria::vrml::ModelSource vtkAtriaModelReader::ReadSource(atria::vrml::Diagnostics& diagnostics,
-                                                         const atria::ProgressRange& progress)
+atria::scene::ModelSource vtkAtriaModelReader::ReadSource(atria::scene::Diagnostics& diagnostics,
+                                                          const atria::ProgressRange& progress)
 {
   const std::string file = this->FileName;
   const Format* format = formatOf(this->FileName);
@@ -181,7 +181,7 @@ atria::vrml::ModelSource vtkAtriaModelReader::ReadSource(atria::vrml::Diagnostic
   const atria::model::Model model = format->read(file, progress.part(0.0, 0.5));
   progress.report(0.5, "Triangulating faces");
   atria::VtkSurface read = atria::surfaceFromVtk({model.data});
-  atria::vrml::ModelSource source;
+  atria::scene::ModelSource source;
   source.name = std::filesystem::path(file).filename().string();
   source.head = model.head;
   source.upAxis = model.upAxis;
@@ -216,7 +216,8 @@ atria::vrml::ModelSource vtkAtriaModelReader::ReadSource(atria::vrml::Diagnostic
   source.scene = sceneOf(model, std::move(read));
   if (!model.partsWarnings.empty())
   {
-    const atria::vrml::Surfaces surfaces = atria::vrml::makeSurfaces(source.scene, atria::vrml::SurfaceBy::shape, 0.0);
+    const atria::scene::Surfaces surfaces =
+        atria::scene::makeSurfaces(source.scene, atria::scene::SurfaceBy::shape, 0.0);
     for (const model::PartsWarning& warning : model.partsWarnings)
     {
       warn(textOf(warning, source.scene, surfaces));

@@ -84,8 +84,8 @@ protected:
   vtkAtriaModelReader() = default;
   ~vtkAtriaModelReader() override = default;
 
-  atria::vrml::ModelSource ReadSource(atria::vrml::Diagnostics& diagnostics,
-                                      const atria::ProgressRange& progress) override;
+  atria::scene::ModelSource ReadSource(atria::scene::Diagnostics& diagnostics,
+                                       const atria::ProgressRange& progress) override;
 
 private:
   vtkAtriaModelReader(const vtkAtriaModelReader&) = delete;

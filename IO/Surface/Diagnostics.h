@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace atria::vrml {
+namespace atria::scene {
 
 /// Warnings in the order they came up, and notes on actions that need no attention. All warnings are counted; the first
 /// `keptAtMost` of either are kept.
@@ -40,4 +40,4 @@ private:
   std::size_t total = 0;
 };
 
-} // namespace atria::vrml
+} // namespace atria::scene

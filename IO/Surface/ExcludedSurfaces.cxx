@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace atria::vrml {
+namespace atria::scene {
 
 namespace {
 
@@ -117,4 +117,4 @@ void excludeSurfaces(Scene& scene, Surfaces& surfaces, const std::vector<std::st
                    " left out as asked for: " + joined(gone));
 }
 
-} // namespace atria::vrml
+} // namespace atria::scene

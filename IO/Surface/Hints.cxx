@@ -11,7 +11,7 @@
 #include <cctype>
 #include <initializer_list>
 
-namespace atria::vrml {
+namespace atria::scene {
 
 namespace {
 
@@ -372,4 +372,4 @@ std::string hintAtGroupNames(const Scene& scene)
          "): take those (SurfaceBy, --surfaces-by group)";
 }
 
-} // namespace atria::vrml
+} // namespace atria::scene

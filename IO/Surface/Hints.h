@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace atria::vrml {
+namespace atria::scene {
 
 /// Statements of the user, the file or the format about a model. User statements are not judged. Statements of the file
 /// alone are judged by shape and size, since the file may be wrong. Without any, the file's words and the model's shape
@@ -35,4 +35,4 @@ std::vector<std::string> hintsOf(const Scene& scene, std::string_view head, cons
 /// (id1, id2), and groups have words. Empty else.
 std::string hintAtGroupNames(const Scene& scene);
 
-} // namespace atria::vrml
+} // namespace atria::scene

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace atria::vrml {
+namespace atria::scene {
 
 /// The content of a file, before options common to all formats are applied.
 struct ModelSource
@@ -24,4 +24,4 @@ struct ModelSource
   std::vector<std::string> groundMaterials;
 };
 
-} // namespace atria::vrml
+} // namespace atria::scene

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-namespace atria::vrml {
+namespace atria::scene {
 
 /// The look of a shape; two with the same values are one.
 struct Material
@@ -56,4 +56,4 @@ struct Scene
   std::map<std::string, std::size_t> skipped;
 };
 
-} // namespace atria::vrml
+} // namespace atria::scene

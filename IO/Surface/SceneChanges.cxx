@@ -12,7 +12,7 @@
 #include <map>
 #include <sstream>
 
-namespace atria::vrml {
+namespace atria::scene {
 
 namespace {
 
@@ -214,4 +214,4 @@ Vec3 place(Scene& scene, const Placement& placement)
   return offset;
 }
 
-} // namespace atria::vrml
+} // namespace atria::scene

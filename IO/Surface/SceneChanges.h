@@ -6,7 +6,7 @@
 #include "Scene.h"
 #include "Surfaces.h"
 
-namespace atria::vrml {
+namespace atria::scene {
 
 /// Removes faces that coincide with others, within a surface or of another one, whichever way they face. The smaller
 /// surface keeps its faces (see FacePrecedence). Notes how many, and which surfaces lose how much to which. Warns of
@@ -25,4 +25,4 @@ struct Placement
 /// which the model lies no farther from the origin than it is long, else its center rounded to whole hundreds.
 Vec3 place(Scene& scene, const Placement& placement);
 
-} // namespace atria::vrml
+} // namespace atria::scene

@@ -10,7 +10,7 @@
 #include <map>
 #include <unordered_set>
 
-namespace atria::vrml {
+namespace atria::scene {
 
 namespace {
 
@@ -253,4 +253,4 @@ Surfaces makeSurfaces(const Scene& scene, SurfaceBy by, double splitAngle)
   return out;
 }
 
-} // namespace atria::vrml
+} // namespace atria::scene

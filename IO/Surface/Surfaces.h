@@ -7,7 +7,7 @@
 
 #include "AtriaIOSurfaceModule.h"
 
-namespace atria::vrml {
+namespace atria::scene {
 
 /// The rule that divides a scene into surfaces.
 enum class SurfaceBy
@@ -44,4 +44,4 @@ ATRIAIOSURFACE_EXPORT Surfaces makeSurfaces(const Scene& scene, SurfaceBy by, do
 void excludeSurfaces(Scene& scene, Surfaces& surfaces, const std::vector<std::string>& patterns,
                      Diagnostics& diagnostics);
 
-} // namespace atria::vrml
+} // namespace atria::scene

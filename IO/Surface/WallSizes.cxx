@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace atria::vrml {
+namespace atria::scene {
 
 namespace {
 
@@ -96,4 +96,4 @@ double wallSize(const Scene& scene, int upAxis, double least)
   return 0.0;
 }
 
-} // namespace atria::vrml
+} // namespace atria::scene

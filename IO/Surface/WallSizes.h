@@ -4,7 +4,7 @@
 
 #include "Scene.h"
 
-namespace atria::vrml {
+namespace atria::scene {
 
 /// Returns the size of walls if `upAxis` (1 y, 2 z) is up: a third of their area is in smooth pieces of upright faces
 /// that are at least so high and wide. Returns 0 without walls. Pieces that are not `least` high and wide may count as
@@ -12,4 +12,4 @@ namespace atria::vrml {
 /// more than sixty.
 double wallSize(const Scene& scene, int upAxis, double least);
 
-} // namespace atria::vrml
+} // namespace atria::scene

@@ -78,9 +78,9 @@ vtkNew<vtkCellArray> toCells(const std::vector<std::array<atria::Index, 3>>& tri
 }
 
 /// Adds names and looks of the surfaces.
-void addSurfaces(vtkFieldData* data, const std::vector<atria::vrml::Surface>& surfaces)
+void addSurfaces(vtkFieldData* data, const std::vector<atria::scene::Surface>& surfaces)
 {
-  using atria::vrml::Surface;
+  using atria::scene::Surface;
   atria::addArrayOf<vtkStringArray>(data, "SurfaceName", surfaces, &Surface::name);
   atria::addArrayOf<vtkStringArray>(data, "MaterialName", surfaces, [](const Surface& s) { return s.material.name; });
   auto* colors = atria::addArray<vtkDoubleArray>(data, "DiffuseColor", 3);
@@ -93,7 +93,7 @@ void addSurfaces(vtkFieldData* data, const std::vector<atria::vrml::Surface>& su
 }
 
 /// True if a surface's name, behind those of groups, begins like that of ground, or if its material is that of ground.
-bool isGround(const atria::vrml::Surface& surface, const atria::vrml::ModelSource& source)
+bool isGround(const atria::scene::Surface& surface, const atria::scene::ModelSource& source)
 {
   const std::string name = surface.name.substr(surface.name.rfind('/') + 1);
   const auto begins = [&](const std::string& start) { return name.compare(0, start.size(), start) == 0; };
@@ -103,11 +103,11 @@ bool isGround(const atria::vrml::Surface& surface, const atria::vrml::ModelSourc
 }
 
 /// Adds the array IsGround if there is ground.
-void addGround(vtkFieldData* data, const std::vector<atria::vrml::Surface>& surfaces,
-               const atria::vrml::ModelSource& source)
+void addGround(vtkFieldData* data, const std::vector<atria::scene::Surface>& surfaces,
+               const atria::scene::ModelSource& source)
 {
   std::vector<unsigned char> flags(surfaces.size());
-  std::ranges::transform(surfaces, flags.begin(), [&](const atria::vrml::Surface& surface) {
+  std::ranges::transform(surfaces, flags.begin(), [&](const atria::scene::Surface& surface) {
     return static_cast<unsigned char>(isGround(surface, source) ? 1 : 0);
   });
   if (std::find(flags.begin(), flags.end(), 1) != flags.end())
@@ -117,7 +117,7 @@ void addGround(vtkFieldData* data, const std::vector<atria::vrml::Surface>& surf
 }
 
 /// Frees each array as soon as it is copied.
-void fill(vtkPolyData* output, atria::vrml::Scene scene, const atria::vrml::Surfaces& surfaces)
+void fill(vtkPolyData* output, atria::scene::Scene scene, const atria::scene::Surfaces& surfaces)
 {
   output->SetPoints(atria::pointsToVtk(scene.points));
   scene.points = {};
@@ -182,7 +182,7 @@ void vtkAtriaSurfaceReader::RemoveAllExcludedSurfaces()
 }
 
 /// Keeps the messages of a run, and shows warnings: first the grave ones, which put the whole model in doubt.
-void vtkAtriaSurfaceReader::Report(const atria::vrml::Diagnostics& diagnostics, const std::vector<std::string>& grave)
+void vtkAtriaSurfaceReader::Report(const atria::scene::Diagnostics& diagnostics, const std::vector<std::string>& grave)
 {
   const std::size_t count = diagnostics.count() + grave.size();
   this->NumberOfWarnings = static_cast<vtkIdType>(count);
@@ -247,16 +247,15 @@ void vtkAtriaSurfaceReader::CheckProperties()
 }
 
 /// Returns false if the file has no surfaces. `grave` gets the warnings that put the whole model in doubt.
-bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnostics& diagnostics,
+bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::scene::Diagnostics& diagnostics,
                                       std::vector<std::string>& grave)
 {
-  namespace vrml = atria::vrml;
   this->CheckProperties();
   atria::AlgorithmProgress monitor(*this);
   const atria::ProgressRange progress(monitor);
   progress.report(0.0, "Reading the file");
-  vrml::ModelSource source = this->ReadSource(diagnostics, progress.part(0.0, 0.9));
-  vrml::Scene& scene = source.scene;
+  atria::scene::ModelSource source = this->ReadSource(diagnostics, progress.part(0.0, 0.9));
+  atria::scene::Scene& scene = source.scene;
   for (const auto& [type, count] : scene.skipped)
   {
     this->SkippedNodes->InsertNextValue(type + ": " + std::to_string(count));
@@ -274,32 +273,33 @@ bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnost
                      ": the file states its unit itself, and LengthUnit is left out; correct it by Scale");
   }
   const double scale = isConverted ? this->Scale : this->MetersPerUnit();
-  const atria::Vec3 offset = vrml::place(scene, {upAxis, scale, this->Recenter});
+  const atria::Vec3 offset = atria::scene::place(scene, {upAxis, scale, this->Recenter});
   if (this->MergeDuplicateFaces)
   {
     this->NumberOfMergedFaces = static_cast<vtkIdType>(
-        vrml::mergeDuplicateFaces(scene, static_cast<vrml::SurfaceBy>(this->SurfaceBy), diagnostics));
+        atria::scene::mergeDuplicateFaces(scene, static_cast<atria::scene::SurfaceBy>(this->SurfaceBy), diagnostics));
   }
-  const vrml::Stated stated{this->LengthUnit != UnstatedUnit || this->Scale != 1.0,
-                            this->UpAxis != UnstatedUp,
-                            this->Recenter,
-                            source.unitKnown,
-                            source.unitConverted,
-                            source.axisKnown};
-  for (const std::string& hint : vrml::hintsOf(scene, source.head, stated))
+  const atria::scene::Stated stated{this->LengthUnit != UnstatedUnit || this->Scale != 1.0,
+                                    this->UpAxis != UnstatedUp,
+                                    this->Recenter,
+                                    source.unitKnown,
+                                    source.unitConverted,
+                                    source.axisKnown};
+  for (const std::string& hint : atria::scene::hintsOf(scene, source.head, stated))
   {
     grave.push_back(source.name + ": " + hint);
   }
   progress.report(0.95, "Naming surfaces");
   scene.faceIds = {};
-  if (const std::string hint = vrml::hintAtGroupNames(scene); this->SurfaceBy == Shape && !hint.empty())
+  if (const std::string hint = atria::scene::hintAtGroupNames(scene); this->SurfaceBy == Shape && !hint.empty())
   {
     diagnostics.warn(source.name + ": " + hint);
   }
-  auto surfaces = vrml::makeSurfaces(scene, static_cast<vrml::SurfaceBy>(this->SurfaceBy), this->SplitAngle);
+  auto surfaces =
+      atria::scene::makeSurfaces(scene, static_cast<atria::scene::SurfaceBy>(this->SurfaceBy), this->SplitAngle);
   if (!this->ExcludedSurfaces.empty())
   {
-    vrml::excludeSurfaces(scene, surfaces, this->ExcludedSurfaces, diagnostics);
+    atria::scene::excludeSurfaces(scene, surfaces, this->ExcludedSurfaces, diagnostics);
   }
   addGround(output->GetFieldData(), surfaces.surfaces, source);
   fill(output, std::move(scene), surfaces);
@@ -342,7 +342,7 @@ int vtkAtriaSurfaceReader::RequestData(vtkInformation*, vtkInformationVector**, 
     vtkErrorMacro("FileName is not set");
     return 0;
   }
-  atria::vrml::Diagnostics diagnostics;
+  atria::scene::Diagnostics diagnostics;
   std::vector<std::string> grave;
   try
   {

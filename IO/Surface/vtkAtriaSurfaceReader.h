@@ -36,10 +36,10 @@ class vtkStringArray;
 
 namespace atria {
 class ProgressRange;
-namespace vrml {
+namespace scene {
 class Diagnostics;
 struct ModelSource;
-} // namespace vrml
+} // namespace scene
 } // namespace atria
 
 class ATRIAIOSURFACE_EXPORT vtkAtriaSurfaceReader : public vtkPolyDataAlgorithm
@@ -215,8 +215,8 @@ protected:
   /**
    * Reads FileName without changes. Throws atria::Error with a text for the user, or atria::Aborted.
    */
-  virtual atria::vrml::ModelSource ReadSource(atria::vrml::Diagnostics& diagnostics,
-                                              const atria::ProgressRange& progress) = 0;
+  virtual atria::scene::ModelSource ReadSource(atria::scene::Diagnostics& diagnostics,
+                                               const atria::ProgressRange& progress) = 0;
 
   char* FileName = nullptr;
   int SurfaceBy = Shape;
@@ -234,8 +234,8 @@ protected:
   vtkSmartPointer<vtkStringArray> SkippedNodes;
 
 private:
-  bool ReadModel(vtkPolyData* output, atria::vrml::Diagnostics& diagnostics, std::vector<std::string>& grave);
-  void Report(const atria::vrml::Diagnostics& diagnostics, const std::vector<std::string>& grave);
+  bool ReadModel(vtkPolyData* output, atria::scene::Diagnostics& diagnostics, std::vector<std::string>& grave);
+  void Report(const atria::scene::Diagnostics& diagnostics, const std::vector<std::string>& grave);
 
   vtkAtriaSurfaceReader(const vtkAtriaSurfaceReader&) = delete;
   void operator=(const vtkAtriaSurfaceReader&) = delete;

@@ -9,6 +9,11 @@
 
 namespace atria::vrml {
 
+using scene::Diagnostics;
+using scene::Material;
+using scene::Scene;
+using scene::Shape;
+
 namespace {
 
 /// A few USEs of USEs can stand for more nodes than any machine has memory for.

@@ -16,6 +16,10 @@
 
 namespace atria::vrml {
 
+using scene::Diagnostics;
+using scene::Scene;
+using scene::Shape;
+
 /// Walks through a scene and collects its shapes: one for each Shape met, or for each geometry node of VRML 1.0. Files
 /// of both languages may contain each other. Does not recurse.
 class Evaluator

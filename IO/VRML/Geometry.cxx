@@ -11,6 +11,8 @@
 
 namespace atria::vrml {
 
+using scene::Diagnostics;
+
 namespace {
 
 /// The faces of an IndexedFaceSet, with the points they use.

@@ -13,6 +13,8 @@
 
 namespace atria::vrml {
 
+using scene::Diagnostics;
+
 /// Makes the triangles of geometry nodes, and warns of invalid fields.
 class Geometry
 {

@@ -12,6 +12,8 @@
 
 namespace atria::vrml {
 
+using scene::Diagnostics;
+
 /// One use of a prototype: IS in the body means the fields of `instance`, whose own values belong to `outer`.
 /// The body is not copied, so that a thousand instances cost a thousand of these.
 struct Context

@@ -9,6 +9,8 @@
 
 namespace atria::vrml {
 
+using scene::Diagnostics;
+
 namespace fs = std::filesystem;
 
 namespace {

@@ -18,6 +18,8 @@
 
 namespace atria::vrml {
 
+using scene::Diagnostics;
+
 /// Returns the version that a file's first line declares.
 Version versionOf(std::string_view text);
 

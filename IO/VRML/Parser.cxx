@@ -8,6 +8,8 @@
 
 namespace atria::vrml {
 
+using scene::Diagnostics;
+
 Parser::Parser(Document& target, FileText file, Diagnostics& messages, const ProgressRange& monitor)
     : document(target), source(std::move(file)), lexer(source.text()), length(source.text().size()),
       diagnostics(messages), progress(monitor)

@@ -15,6 +15,8 @@
 
 namespace atria::vrml {
 
+using scene::Diagnostics;
+
 /// Reads a text in VRML97, or in VRML 1.0 if the document says so, into `document`. Does not recurse: open brackets and
 /// braces are kept on a stack of its own, so that models nested many thousand levels deep are read.
 ///

@@ -11,6 +11,8 @@
 
 namespace atria::vrml {
 
+using scene::Diagnostics;
+
 namespace {
 
 constexpr std::size_t tickInterval = 1 << 16;

@@ -8,6 +8,10 @@
 
 namespace atria::vrml {
 
+using scene::Material;
+using scene::Scene;
+using scene::Shape;
+
 void SceneBuilder::reserve(const Document& document)
 {
   const std::size_t triangles = 2 * document.indices / 5; // quads, of five indices, make most of them

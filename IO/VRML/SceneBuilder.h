@@ -14,6 +14,10 @@
 
 namespace atria::vrml {
 
+using scene::Material;
+using scene::Scene;
+using scene::Shape;
+
 /// Builds a scene step by step.
 class SceneBuilder
 {

@@ -25,14 +25,14 @@ void vtkAtriaVRMLReader::CheckProperties()
   atriaCheckRange(TessellationError);
 }
 
-atria::vrml::ModelSource vtkAtriaVRMLReader::ReadSource(atria::vrml::Diagnostics& diagnostics,
-                                                        const atria::ProgressRange& progress)
+atria::scene::ModelSource vtkAtriaVRMLReader::ReadSource(atria::scene::Diagnostics& diagnostics,
+                                                         const atria::ProgressRange& progress)
 {
   atria::vrml::Library library(diagnostics, progress.part(0.0, 0.7));
   const atria::vrml::Document& document = library.open(this->FileName);
   atria::vrml::Evaluator evaluator(library, diagnostics, progress.part(0.7, 1.0),
                                    {this->TessellationAngle, this->TessellationError / this->MetersPerUnit()});
-  atria::vrml::ModelSource source;
+  atria::scene::ModelSource source;
   source.scene = evaluator.run(document);
   source.name = document.displayName();
   source.head = document.head;

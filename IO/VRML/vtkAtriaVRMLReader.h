@@ -86,8 +86,8 @@ protected:
   ~vtkAtriaVRMLReader() override = default;
 
   void CheckProperties() override;
-  atria::vrml::ModelSource ReadSource(atria::vrml::Diagnostics& diagnostics,
-                                      const atria::ProgressRange& progress) override;
+  atria::scene::ModelSource ReadSource(atria::scene::Diagnostics& diagnostics,
+                                       const atria::ProgressRange& progress) override;
 
   double TessellationAngle = 10.0;
   double TessellationError = 0.0;

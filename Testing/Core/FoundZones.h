@@ -32,38 +32,39 @@ struct FoundZones
     octree = buildOctree(model, frame, SizingOptions{}, context());
     points = findGridPoints(octree, context());
     crossings = findCrossings(grid, model, context());
-    zones = findZones(crossings, model.names.size(), context());
+    zones = findZones(crossings, model.names.size(), whole(), context());
   }
 
   void modify()
   {
-    DisplacedGrid displaced = displaceGrid(points, std::move(crossings), context());
+    DisplacedGrid displaced = displaceGrid(points, std::move(crossings), whole(), context());
     for (const Index point : displaced.places.displacedPoints())
     {
       grid.move(point, displaced.places.place(point));
     }
     crossings = std::move(displaced.crossings);
-    zones = findZones(crossings, model.names.size(), context());
+    zones = findZones(crossings, model.names.size(), whole(), context());
   }
   void closeCracksUpTo(double tolerance)
   {
     crossings = closeCracks(std::move(crossings), findBoundaryGaps(context()), grid, tolerance, context());
-    zones = findZones(crossings, model.names.size(), context());
+    zones = findZones(crossings, model.names.size(), whole(), context());
   }
 
+  GridPart whole() const { return GridPart(points); }
   MeshingContext context() { return {quietContext(executor), octree, model, tree}; }
   std::int32_t zoneAt(const Vec3& seed) const { return zones.ofPoint[pointOfSeed(seed, "seed", grid, model)]; }
   std::vector<char> kept(ZoneRule rule, const std::vector<Vec3>& seeds = {}) const
   {
-    return keptZones(zones, rule, zonesOfSeeds(zones, seeds, grid, model));
+    return keptZones(zones, rule, zonesOfSeeds(zones, seeds, grid, whole(), model));
   }
   std::vector<Leak> leaks(const std::vector<Vec3>& sealed)
   {
-    return findLeaks(sealed, zones, crossings, grid, model, context());
+    return findLeaks(sealed, zones, crossings, grid, whole(), model, context());
   }
   std::vector<Crack> cracks(ZoneRule rule = ZoneRule::all)
   {
-    return findCracks(findBoundaryGaps(context()), zones, kept(rule), crossings, grid, context());
+    return findCracks(findBoundaryGaps(context()), zones, kept(rule), crossings, grid, whole(), context());
   }
   Vec3 position(Index point) const { return octree.frame().toModel(grid.place(point)); }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Where the ground of a model is, and which bodies are let down to it.
 #include "Domain/GroundedModel.h"
-#include "Mesher/ModelOptions.h"
+#include "Mesher/ModelStages.h"
 #include "Support/Cities.h"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Meshes of generated cities: the ground is what the houses leave, no air is below them, and what they displace is
 /// their volume down to the ground.
-#include "Mesher/MeshModel.h"
-#include "Mesher/SharedModel.h"
+#include "Mesher/MeshStages.h"
+#include "Ranks/SharedModel.h"
 #include "Support/Cities.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/QuietContext.h"

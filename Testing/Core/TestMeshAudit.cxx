@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Meshes compared with models whose areas and volumes are known.
 #include "Mesher/AuditReport.h"
-#include "Mesher/MeshModel.h"
+#include "Mesher/MeshStages.h"
 #include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What is near the boundary of a mesh, found by parts of it.
 #include "Mesher/Blocks/MeshBlocks.h"
-#include "Mesher/Shares/SharedNumbers.h"
+#include "Ranks/SharedNumbers.h"
 #include "Support/MeshIt.h"
 #include "Support/ThreadRanks.h"
 

@@ -2,7 +2,7 @@
 /// Which openings the rule finds, in buildings that stand along the axes and turned.
 #include "Support/Buildings.h"
 
-#include "Mesher/ModelOptions.h"
+#include "Mesher/ModelStages.h"
 #include "Support/Error.h"
 #include "Support/QuietContext.h"
 

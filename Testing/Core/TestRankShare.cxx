@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What of an octree each of several ranks has.
-#include "Mesher/Shares/RankShare.h"
+#include "Ranks/RankShare.h"
 #include "Support/MeshIt.h"
 #include "Support/QuietContext.h"
 #include "Support/Shapes.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Meshes that several ranks make together.
-#include "Mesher/SharedMesher.h"
-#include "Mesher/SharedModel.h"
+#include "Ranks/RankMesh.h"
+#include "Ranks/SharedModel.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
 #include "Support/PieceOf.h"
@@ -35,6 +35,30 @@ GridOptions gridOf(double sizeMin, double sizeMid)
 class SharedMesher : public ::testing::TestWithParam<int>
 {
 };
+
+/// A mesh as a rank has it; the mesh is the piece's.
+struct SharedDual
+{
+  DualMeshResult found;
+  SharedPiece piece;
+};
+
+SharedDual makeOnRank(const Meshed& whole, const DualMeshOptions& options, const RankShare& share,
+                      const ShareRows& rows, std::atomic<std::size_t>* leaves = nullptr)
+{
+  RankMesh port(share, share.makeOctree(whole.model, rows, quietContext()), 1);
+  if (leaves)
+  {
+    *leaves += port.octree().leafCount();
+  }
+  StageClock clock;
+  const DrawnModel drawn = whole.drawn(quietContext());
+  SharedDual dual;
+  dual.found = makeDualMesh(port.octree(), whole.model, options, clock, quietContext(), nullptr, &drawn, port);
+  dual.piece = port.takePiece();
+  dual.piece.mesh = std::move(dual.found.mesh);
+  return dual;
+}
 
 void expectLayers(const DualMeshResult& whole, const SharedDual& dual)
 {
@@ -121,12 +145,7 @@ double expectSameOnRanks(const Meshed& whole, const DualMeshOptions& options, in
   onRanks(ranks, [&](RankExchange& exchange) {
     const RankShare share(sets, whole.model, whole.frame, blockSize, exchange, quietContext());
     ASSERT_GT(share.blocks().count(), 1U);
-    Octree octree = share.makeOctree(whole.model, rows, quietContext());
-    leaves += octree.leafCount();
-    StageClock clock;
-    const DrawnModel drawn = whole.drawn(quietContext());
-    const SharedDual dual =
-        makeSharedMesh(std::move(octree), whole.model, options, share, 1, clock, quietContext(), &drawn).value();
+    const SharedDual dual = makeOnRank(whole, options, share, rows, &leaves);
     expectPiece(whole.mesh(), dual.piece, exchange.rank());
     expectLayers(whole.result, dual);
     expectZones(whole.result.zones, dual.found.zones);
@@ -272,10 +291,7 @@ TEST(SharedSite, RanksTakeMoreRowsUntilTheyAgree)
   const RefinedSets sets = whole.octree.refinedSets();
   const auto makeWithFew = [&](RankExchange& exchange) {
     const RankShare share(sets, whole.model, whole.frame, blockSize, exchange, quietContext());
-    StageClock clock;
-    const DrawnModel drawn = whole.drawn(quietContext());
-    makeSharedMesh(share.makeOctree(whole.model, few, quietContext()), whole.model, options, share, 1, clock,
-                   quietContext(), &drawn);
+    makeOnRank(whole, options, share, few);
   };
   EXPECT_THROW(onRanks(4, makeWithFew), RanksDisagree);
   onRanks(4, [&](RankExchange& exchange) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Face zones, openings, rooms and cell zones of meshes that several ranks make together.
-#include "Mesher/SharedModel.h"
+#include "Ranks/SharedModel.h"
 #include "Support/Buildings.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/PieceOf.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Rooms whose walls are solids, in domains that are the model's bounds.
-#include "Mesher/SharedModel.h"
+#include "Ranks/SharedModel.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/Error.h"
 #include "Support/PieceOf.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Own elements of ranks that are brought together again.
-#include "Mesher/Shares/OwnPart.h"
+#include "Ranks/OwnPart.h"
 #include "Support/MeshIt.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Meshes of random scenes have the areas, volumes and footprints that are known of the scenes; the audit says the
 /// same.
-#include "Mesher/MeshModel.h"
+#include "Mesher/MeshStages.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/QuietContext.h"
 #include "Support/Scenes.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Mesher/DrawnModel.h"
-#include "Mesher/MeshModel.h"
+#include "Mesher/MeshStages.h"
 
 namespace atria::testing {
 

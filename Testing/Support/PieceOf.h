@@ -2,7 +2,7 @@
 /// Pieces of meshes that ranks have made, against the whole.
 #pragma once
 
-#include "Mesher/Shares/SharedPiece.h"
+#include "Ranks/SharedPiece.h"
 
 namespace atria::testing {
 

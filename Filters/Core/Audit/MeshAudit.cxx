@@ -2,6 +2,7 @@
 #include "Audit/MeshAudit.h"
 
 #include "Dual/Mesh/FaceFlux.h"
+#include "Support/ExactSum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// Sums of a surface over all ranks.
+/// Sums of a surface.
 enum SurfaceSum : std::uint8_t
 {
   wetArea,       ///< faces on either side of the surface
@@ -20,7 +21,7 @@ enum SurfaceSum : std::uint8_t
   surfaceSums
 };
 
-/// Sums of the mesh over all ranks.
+/// Sums of the mesh.
 enum WholeSum : std::uint8_t
 {
   airVolume,
@@ -48,8 +49,8 @@ double& hiddenArea(ViewAreas& areas, const TriangleViews& views)
 class Auditor
 {
 public:
-  Auditor(const DualMesh& m, const SeenModel& seen, const MeshShare& s, const MeshingContext& c)
-      : mesh(m), views(seen.views), airParts(seen.airParts), share(s), context(c), frame(c.octree.frame()),
+  Auditor(const DualMesh& m, const SeenModel& seen, const OwnElements& p, const MeshingContext& c)
+      : mesh(m), views(seen.views), airParts(seen.airParts), part(p), context(c), frame(c.octree.frame()),
         count(c.model.names.size()), areas(std::pow(frame.domain.size().maxCoeff(), 2)),
         volumes(std::pow(frame.domain.size().maxCoeff(), 3))
   {
@@ -60,7 +61,7 @@ public:
     out.surfaces.resize(count);
     measureFaces();
     measureModel(seen.unreached);
-    const std::vector<SurfaceDistances> distances = measureDistances(mesh, seen.samples, share, context);
+    const std::vector<SurfaceDistances> distances = measureDistances(mesh, seen.samples, part, context);
     for (std::size_t i = 0; i < count; ++i)
     {
       out.surfaces[i].distances = distances[i];
@@ -84,7 +85,7 @@ private:
     };
     for (const BoundaryFace& face : mesh.boundaryFaces)
     {
-      if (share.counts(face.element))
+      if (part.owns(face.element))
       {
         const FaceFlux flux = fluxOf(mesh, face.element, face.direction, origin);
         whole[airVolume].add(flux.volume, volumes);
@@ -97,22 +98,20 @@ private:
     }
     for (const ZoneFace& face : mesh.zoneFaces)
     {
-      if (share.counts(face.element))
+      if (part.owns(face.element))
       {
         add(face, fluxOf(mesh, face.element, face.direction, origin), zoneArea);
       }
     }
-    takeSums(sumOverRanks(share, std::move(sums)), coarsest);
+    takeSums(addAll(part.exchange, std::move(sums), [](const ExactSum& more, ExactSum& sum) { sum.add(more); }),
+             std::move(coarsest));
   }
 
   void takeSums(const std::vector<ExactSum>& sums, std::vector<std::uint8_t> coarsest)
   {
-    if (share.exchange)
+    for (const std::vector<std::uint8_t>& some : gatherAll(part.exchange, coarsest))
     {
-      for (const std::vector<std::uint8_t>& some : gatherAll(*share.exchange, coarsest))
-      {
-        std::ranges::transform(some, coarsest, coarsest.begin(), [](auto l, auto r) { return std::min(l, r); });
-      }
+      std::ranges::transform(some, coarsest, coarsest.begin(), [](auto l, auto r) { return std::min(l, r); });
     }
     out.volumes.air = sums[count * surfaceSums + airVolume].value();
     top = sums[count * surfaceSums + topArea].value();
@@ -141,13 +140,13 @@ private:
     for (Index t = 0; t < model.triangles.size(); ++t)
     {
       const auto at = [&](int i) { return frame.toModel(model.corner(t, i)); };
-      const ConvexRegion::Part part = region.within(at(0), at(1), at(2), bottom);
-      if (part.area > 0.0)
+      const ConvexRegion::Part inside = region.within(at(0), at(1), at(2), bottom);
+      if (inside.area > 0.0)
       {
-        addVolume(t, part);
+        addVolume(t, inside);
         if (!model.isTurnedSide(t))
         {
-          addArea(t, part.area, airParts.empty() ? 1.0 : airParts[t], ofSurface[model.surfaceIds[t]]);
+          addArea(t, inside.area, airParts.empty() ? 1.0 : airParts[t], ofSurface[model.surfaceIds[t]]);
         }
       }
     }
@@ -199,7 +198,7 @@ private:
   }
 
   /// Integrates heights above the bottom to the volume. Upright sides add nothing, and the bottom has none.
-  void addVolume(Index triangle, const ConvexRegion::Part& part)
+  void addVolume(Index triangle, const ConvexRegion::Part& inside)
   {
     const auto [front, back] = views[triangle];
     const Vec3 normal = context.model.normal(triangle);
@@ -207,14 +206,14 @@ private:
         context.model.domainSides[triangle] == SurfaceModel::noSide)
     {
       const double up = normal[2] / normal.norm();
-      out.volumes.displacedByModel += (front == View::air ? up : -up) * part.heightTimesArea;
+      out.volumes.displacedByModel += (front == View::air ? up : -up) * inside.heightTimesArea;
     }
   }
 
   const DualMesh& mesh;
   const std::vector<TriangleViews>& views;
   const std::vector<float>& airParts;
-  const MeshShare& share;
+  const OwnElements& part;
   const MeshingContext& context;
   const GridFrame& frame;
   std::size_t count;
@@ -233,9 +232,9 @@ double SurfaceAudit::coverage() const
   return wanted > 0.0 ? std::min(1.0, meshArea / wanted) : 1.0;
 }
 
-MeshAudit auditMesh(const DualMesh& mesh, const SeenModel& seen, const MeshShare& share, const MeshingContext& context)
+MeshAudit auditMesh(const DualMesh& mesh, const SeenModel& seen, const OwnElements& part, const MeshingContext& context)
 {
-  return Auditor(mesh, seen, share, context).run(seen);
+  return Auditor(mesh, seen, part, context).run(seen);
 }
 
 std::vector<ViewAreas> areasOf(const UnreachedParts& parts, const SurfaceModel& whole, const GridFrame& frame)

@@ -90,10 +90,10 @@ private:
 /// Faces of own elements on surfaces, those within the mesh among them.
 struct OwnFaces
 {
-  OwnFaces(const DualMesh& mesh, std::size_t surfaceCount, const MeshShare& share)
+  OwnFaces(const DualMesh& mesh, std::size_t surfaceCount, const OwnElements& part)
   {
     const auto add = [&](const auto& face) {
-      if (face.tag < surfaceCount && share.counts(face.element))
+      if (face.tag < surfaceCount && part.owns(face.element))
       {
         elements.push_back(face.element);
         directions.push_back(face.direction);
@@ -112,8 +112,8 @@ struct OwnFaces
 class DistanceFinder
 {
 public:
-  DistanceFinder(const DualMesh& m, const MeshShare& s, const MeshingContext& c)
-      : mesh(m), share(s), context(c), frame(c.octree.frame()), faces(m, c.model.names.size(), s),
+  DistanceFinder(const DualMesh& m, const OwnElements& p, const MeshingContext& c)
+      : mesh(m), part(p), context(c), frame(c.octree.frame()), faces(m, c.model.names.size(), p),
         out(c.model.names.size())
   {
   }
@@ -121,10 +121,7 @@ public:
   std::vector<SurfaceDistances> run(const std::vector<SurfaceSample>& samples)
   {
     measureFaces();
-    if (share.exchange)
-    {
-      joinFaces();
-    }
+    joinFaces();
     measureSamples(samples);
     return std::move(out);
   }
@@ -179,7 +176,7 @@ private:
 
   void joinFaces()
   {
-    for (const std::vector<SurfaceDistances>& some : gatherAll(*share.exchange, out))
+    for (const std::vector<SurfaceDistances>& some : gatherAll(part.exchange, out))
     {
       for (std::size_t surface = 0; surface < out.size(); ++surface)
       {
@@ -241,9 +238,9 @@ private:
         far.push_back({sample.at, distances[i], sample.size, sample.surface});
       }
     }
-    if (share.exchange)
+    if (!part.isWhole())
     {
-      far = nearestOfRanks(far, measureAll);
+      far = nearestOfAll(std::move(far), measureAll);
     }
     for (const Measured& one : far)
     {
@@ -254,18 +251,14 @@ private:
     }
   }
 
-  /// Faces of other ranks may be nearer.
+  /// Faces of other processes may be nearer.
   template <typename MeasureAll>
-  std::vector<Measured> nearestOfRanks(const std::vector<Measured>& own, MeasureAll&& measureAll) const
+  std::vector<Measured> nearestOfAll(std::vector<Measured> own, MeasureAll&& measureAll) const
   {
-    std::vector<Measured> all;
-    for (const std::vector<Measured>& some : gatherAll(*share.exchange, own))
-    {
-      all.insert(all.end(), some.begin(), some.end());
-    }
+    std::vector<Measured> all = joinAll(part.exchange, std::move(own));
     std::vector<double> here(all.size());
     measureAll(all, here);
-    for (const std::vector<double>& some : gatherAll(*share.exchange, here))
+    for (const std::vector<double>& some : gatherAll(part.exchange, here))
     {
       for (std::size_t i = 0; i < all.size(); ++i)
       {
@@ -276,7 +269,7 @@ private:
   }
 
   const DualMesh& mesh;
-  const MeshShare& share;
+  const OwnElements& part;
   const MeshingContext& context;
   const GridFrame& frame;
   OwnFaces faces;
@@ -286,9 +279,9 @@ private:
 } // namespace
 
 std::vector<SurfaceDistances> measureDistances(const DualMesh& mesh, const std::vector<SurfaceSample>& samples,
-                                               const MeshShare& share, const MeshingContext& context)
+                                               const OwnElements& part, const MeshingContext& context)
 {
-  return DistanceFinder(mesh, share, context).run(samples);
+  return DistanceFinder(mesh, part, context).run(samples);
 }
 
 } // namespace atria

@@ -68,7 +68,7 @@ private:
 } // namespace
 
 std::vector<SurfaceSample> sampleSurfaces(const Crossings& crossings, const Zones& zones,
-                                          const std::vector<View>& ofZone, const ViewShare& share,
+                                          const std::vector<View>& ofZone, const GridPart& part,
                                           const MeshingContext& context)
 {
   const Sampler sampler(crossings, zones, ofZone, context);
@@ -79,7 +79,7 @@ std::vector<SurfaceSample> sampleSurfaces(const Crossings& crossings, const Zone
     for (std::size_t e = pieces.begin(piece); e < pieces.end(piece); ++e)
     {
       const CrossedEdge& edge = crossings.crossedEdges[e];
-      if (edge.point >= share.begin && edge.point < share.end)
+      if (part.owns(edge.point))
       {
         sampler.sample(edge, found[piece]);
       }

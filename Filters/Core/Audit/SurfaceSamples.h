@@ -32,9 +32,10 @@ struct SeenModel
 
 /// Returns a place on each surface for each grid edge that leads to it from air past no other wall, in the order of
 /// edges. The mesh has a face there. Edges around leaves that are clusters give none.
-/// \param share  The edges of this rank. \param ofZone  One entry per zone of `zones`. O(crossings).
+/// \param part  The part of the grid whose edges give places. \param ofZone  One entry per zone of `zones`.
+/// O(crossings).
 std::vector<SurfaceSample> sampleSurfaces(const Crossings& crossings, const Zones& zones,
-                                          const std::vector<View>& ofZone, const ViewShare& share,
+                                          const std::vector<View>& ofZone, const GridPart& part,
                                           const MeshingContext& context);
 
 } // namespace atria

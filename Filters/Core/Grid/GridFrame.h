@@ -2,6 +2,7 @@
 /// The octree's position in the model, and the integer lattice on which all decisions are taken.
 #pragma once
 
+#include "Grid/GridOptions.h"
 #include "Grid/Prism.h"
 
 #include <optional>
@@ -15,22 +16,6 @@ inline Vec3 toVector(const LatticePoint& p)
 {
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
-
-/// The domain and the sizes an octree is made for.
-struct GridOptions
-{
-  Box3 domain;
-  /// Edge length of octants at features, and the grid's unit: octants have sizes sizeMin * 2^j; positive.
-  double sizeMin = 1.0;
-  /// Size of octants that a surface passes through; at least sizeMin.
-  double sizeMid = 2.0;
-  /// Size of octants in the open; at least sizeMid.
-  double sizeMax = 8.0;
-  /// Every octant in the domain is refined at least to this level (the root is level 0).
-  int startLevel = 4;
-  /// The finest size requested anywhere (finestSizeOf in Octree/Sizing.h). Below sizeMin it adds levels to the grid.
-  double finestAsked = std::numeric_limits<double>::infinity();
-};
 
 /// The root cube `[origin, origin + finestSize * 2^depth]^3` that holds the domain. Its phase puts the domain's lower
 /// planes through the centers of finest octants: the upper ones follow where the domain is a multiple of `finestSize`.

@@ -10,8 +10,6 @@
 
 namespace atria {
 
-using Vec2 = Eigen::Vector2d;
-
 /// Sides of a domain have numbers: a box by Direction, and the bottom and the top of every domain, too. The upright
 /// sides of other prisms follow these.
 inline constexpr int fewestPrismSides = 3;

@@ -20,22 +20,19 @@ public:
     out.thicknesses.assign(layer.mesh.boundaryFaces.size(), 0.0);
   }
 
-  LayerReport report(const std::vector<std::string>& names, const CoverageShare& share)
+  LayerReport report(const std::vector<std::string>& names, const OwnElements& part)
   {
     std::vector<LayerCoverage> ofTag(options.ofTag.size());
     for (Index f = 0; f < walls.roles.size(); ++f)
     {
       if (walls.roles[f] == FaceRole::wall)
       {
-        LayerCoverage uncounted;
-        const bool isCounted = !share.isCounted || share.isCounted(f);
-        add(f, isCounted ? ofTag[layer.mesh.boundaryFaces[f].tag] : uncounted);
+        LayerCoverage ofOthers;
+        const BoundaryFace& face = layer.mesh.boundaryFaces[f];
+        add(f, part.owns(face.element) ? ofTag[face.tag] : ofOthers);
       }
     }
-    if (share.sum)
-    {
-      sumUp(share, ofTag);
-    }
+    sumUp(part.exchange, ofTag);
     for (LayerCoverage& surface : ofTag)
     {
       surface.thickness = surface.layered > 0.0 ? surface.thickness / surface.layered : 0.0;
@@ -47,7 +44,7 @@ public:
       const bool isSupporting = options.isSupporting(static_cast<Index>(tag));
       if (isSupporting ? surface.layered > 0.0 : surface.area > 0.0)
       {
-        surface.surface = tag < names.size() ? names[tag] : sideName(static_cast<Index>(tag - names.size()));
+        surface.surface = tag < names.size() ? names[tag] : sideName(static_cast<Index>(tag) - options.surfaceCount());
         surface.layers = isSupporting ? 0 : options.ofTag[tag].layers;
         out.surfaces.push_back(std::move(surface));
       }
@@ -56,14 +53,14 @@ public:
   }
 
 private:
-  static void sumUp(const CoverageShare& share, std::vector<LayerCoverage>& ofTag)
+  static void sumUp(RankExchange& exchange, std::vector<LayerCoverage>& ofTag)
   {
     std::vector<double> values;
     for (const LayerCoverage& surface : ofTag)
     {
       values.insert(values.end(), {surface.area, surface.layered, surface.full, surface.thickness});
     }
-    const std::vector<double> sums = share.sum(values);
+    const std::vector<double> sums = sumAll(exchange, std::move(values));
     for (std::size_t tag = 0; tag < ofTag.size(); ++tag)
     {
       LayerCoverage& surface = ofTag[tag];
@@ -163,9 +160,9 @@ std::vector<double> sizesBesideWalls(const DualMesh& plain, const LayerWalls& wa
 
 LayerReport reportLayers(const LayerMesh& layer, const LayerWalls& walls, const std::vector<double>& sizes,
                          const LayerOptions& options, const std::vector<std::string>& surfaceNames,
-                         const CoverageShare& share)
+                         const OwnElements& part)
 {
-  return Reporter(layer, walls, sizes, options).report(surfaceNames, share);
+  return Reporter(layer, walls, sizes, options).report(surfaceNames, part);
 }
 
 } // namespace atria

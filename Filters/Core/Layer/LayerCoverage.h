@@ -2,52 +2,21 @@
 /// Reports how far the requested layers were built.
 #pragma once
 
+#include "Dual/Mesh/OwnElements.h"
+#include "Layer/LayerReport.h"
 #include "Layer/LayerTopology.h"
 
-#include <functional>
-
 namespace atria {
-
-/// Layers of one surface, both sides together.
-struct LayerCoverage
-{
-  std::string surface;
-  /// Number of layers requested; 0 if the surface has a layer only at elements that cannot be valid without.
-  int layers = 0;
-  /// Area of all its faces, of faces with elements of a layer, and of faces with elements of all layers; square model
-  /// units. Elements may thin out to nothing at a corner or edge of such a face.
-  double area = 0.0;
-  double layered = 0.0;
-  double full = 0.0;
-  /// Actual over requested thickness, mean over the layered area; 0 if there is none.
-  double thickness = 0.0;
-};
-
-struct LayerReport
-{
-  /// One entry per boundary face of the mesh: the number of elements in the stack on it, and their total thickness
-  /// across the face (mean of the corners, model units); 0 if there are none.
-  std::vector<std::int32_t> counts;
-  std::vector<double> thicknesses;
-  /// Surfaces and bare sides that have faces and were to get layers, or whose elements needed one.
-  std::vector<LayerCoverage> surfaces;
-};
-
-/// Functions for a mesh that is one of several parts: `isCounted` selects boundary faces, `sum` adds up values over all
-/// parts.
-struct CoverageShare
-{
-  std::function<bool(Index face)> isCounted;
-  std::function<std::vector<double>(const std::vector<double>&)> sum;
-};
 
 /// Returns the size of the elements beside walls, one entry per point of the mesh that layers were grown from, in model
 /// units. It determines the thickness of layers without a height of their own.
 std::vector<double> sizesBesideWalls(const DualMesh& plain, const LayerWalls& walls, const RunContext& context);
 
 /// Reports the layers of a mesh. `walls` and `sizes` are those of the mesh the layers were grown from.
+/// \param part  Divides the elements of the mesh with layers. Surfaces are reported as of all processes, faces as of
+///              this one.
 LayerReport reportLayers(const LayerMesh& layer, const LayerWalls& walls, const std::vector<double>& sizes,
                          const LayerOptions& options, const std::vector<std::string>& surfaceNames,
-                         const CoverageShare& share = {});
+                         const OwnElements& part = {});
 
 } // namespace atria

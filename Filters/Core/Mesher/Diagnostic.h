@@ -32,6 +32,8 @@ struct Diagnostic
   double width = 0.0;
   /// The points of a line between its begin and end, in order.
   std::vector<Vec3> between = {};
+  /// Its place among those that are found by one stage, if several processes find them; equal ones by element.
+  std::uint64_t order = 0;
 };
 inline constexpr std::array<const char*, 8> diagnosticNames{"MergedSheets", "UnresolvedFeature", "LeakPath",
                                                             "ClosedCrack",  "OpenCrack",         "DetachedVertex",

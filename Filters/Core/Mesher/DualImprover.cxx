@@ -8,6 +8,7 @@
 #include "Mesher/Improvement/ElementsToLeaveOut.h"
 #include "Mesher/Improvement/UnfoldFaces.h"
 #include "Mesher/LeaveOut.h"
+#include "Mesher/MeshPort.h"
 #include "Optimize/Constraints/ModelConstraints.h"
 
 #include <algorithm>
@@ -108,41 +109,84 @@ void support(bool onGround, bool isTurned, LayerOptions& options)
   }
 }
 
-/// Where the mesh is to be improved in several.
-std::optional<OctreeBlocks> blocksFor(const WallOptions& wallOptions, const Octree& octree)
+/// So fine that sums of some hundred times the square of the domain's longest side have no rounding.
+double areaUnitOf(const Vec3& domain) { return std::exp2(std::ceil(2.0 * std::log2(domain.maxCoeff())) - 44.0); }
+
+/// True if a surface lies on the domain's bottom anywhere in this process.
+bool hasGround(const DualMesh& mesh, Index surfaceCount)
 {
-  std::optional<OctreeBlocks> blocks;
-  if (wallOptions.blockSize > 0)
-  {
-    blocks = findBlocks(octree.refinedSets(), octree.frame(), wallOptions.blockSize);
-  }
-  return blocks && blocks->count() > 1 ? blocks : std::nullopt;
+  return std::ranges::any_of(mesh.boundaryFaces, [&](const BoundaryFace& face) {
+    return face.onDomainSide && face.tag < surfaceCount && face.direction == zMin;
+  });
 }
 
-/// As a whole, or in blocks.
+/// Returns the layers of walls, by rule and where elements need one. `onGround`: a surface lies on the domain's bottom.
+LayerOptions layerOptionsOf(const WallOptions& wallOptions, bool onGround, const MeshingContext& context)
+{
+  LayerOptions options;
+  options.ofTag = resolveLayerRules(wallOptions.layers, context.model.names);
+  if (wallOptions.supportElements)
+  {
+    support(onGround, context.octree.frame().turnedDomain.has_value(), options);
+  }
+  options.sideNormals = sideNormalsOf(context.octree.frame());
+  options.areaUnit = areaUnitOf(context.octree.frame().domain.size());
+  return options;
+}
+
+/// Removes jogs, and finds the walls of the mesh then.
+LayerWalls prepareWalls(ClassifiedMesh& plain, const LayerOptions& options, const MeshingContext& context)
+{
+  LayerWalls walls = findLayerWalls(plain.mesh, options, context);
+  if (straightenCurves(plain, walls.graph, context))
+  {
+    walls = findLayerWalls(plain.mesh, options, context);
+  }
+  if (options.isDivided())
+  {
+    keepOneOnDetails(plain, context, walls);
+  }
+  context.progress.check();
+  return walls;
+}
+
+/// Puts the boundary faces of a mesh in the order that they have in any part of it.
+void orderFaces(ImprovedMesh& improved)
+{
+  const std::vector<Index> order = orderBoundaryFaces(improved.mesh);
+  const auto reorder = [&](auto& list) {
+    auto ordered = list;
+    for (std::size_t f = 0; f < list.size(); ++f)
+    {
+      ordered[f] = list[order[f]];
+    }
+    list = std::move(ordered);
+  };
+  reorder(improved.layers.counts);
+  reorder(improved.layers.thicknesses);
+}
+
+/// Improves the mesh as a whole or in blocks.
 ImprovedLayer improve(ClassifiedMesh& given, const LayerWalls& walls, const LayerOptions& options,
-                      const CurvedWallTargets& curvedWalls, const std::optional<OctreeBlocks>& all,
+                      const CurvedWallTargets& curvedWalls, const std::optional<OctreeBlocks>& blocks, MeshPort& port,
                       const MeshingContext& context)
 {
-  if (!all)
+  if (!blocks)
   {
     return improveLayer(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls);
   }
   MeshTraits traits = traitsOf(given.mesh, options);
   traits.uniform = false; // no crease sheets
   const ImprovedBlocks improved = [&] {
-    const MeshBlocks blocks =
-        blocksOf(context.octree, given.classification.leaves, *all, 0, static_cast<Index>(all->count()),
-                 findNearBoundary(given.mesh, given.vertexOf, given.classification.classes.size()));
-    NoExchange alone;
+    const BlockPlan plan = port.plan(given, *blocks, context);
     return improveBlocks(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls, traits,
-                         blocks, alone);
+                         plan.blocks, *plan.exchange);
   }();
+  port.endImprovement();
+  given.classification = {};
+  release(given.vertexOf);
   return layersOfBlocks(improved, given.mesh, walls, traits, context);
 }
-
-/// So fine that sums of some hundred times the square of the domain's longest side have no rounding.
-double areaUnitOf(const Vec3& domain) { return std::exp2(std::ceil(2.0 * std::log2(domain.maxCoeff())) - 44.0); }
 
 } // namespace
 
@@ -171,81 +215,38 @@ ClassifiedMesh splitPoints(ClassifiedMesh given, const MeshingContext& context)
   return given;
 }
 
-bool hasGround(const DualMesh& mesh, Index surfaceCount)
-{
-  return std::ranges::any_of(mesh.boundaryFaces, [&](const BoundaryFace& face) {
-    return face.onDomainSide && face.tag < surfaceCount && face.direction == zMin;
-  });
-}
-
-LayerOptions layerOptionsOf(const WallOptions& wallOptions, bool onGround, const MeshingContext& context)
-{
-  LayerOptions options;
-  options.ofTag = resolveLayerRules(wallOptions.layers, context.model.names);
-  if (wallOptions.supportElements)
-  {
-    support(onGround, context.octree.frame().turnedDomain.has_value(), options);
-  }
-  options.sideNormals = sideNormalsOf(context.octree.frame());
-  options.areaUnit = areaUnitOf(context.octree.frame().domain.size());
-  return options;
-}
-
-LayerWalls prepareWalls(ClassifiedMesh& plain, const LayerOptions& options, const MeshingContext& context)
-{
-  LayerWalls walls = findLayerWalls(plain.mesh, options, context);
-  if (straightenCurves(plain, walls.graph, context))
-  {
-    walls = findLayerWalls(plain.mesh, options, context);
-  }
-  if (options.isDivided())
-  {
-    keepOneOnDetails(plain, context, walls);
-  }
-  context.progress.check();
-  return walls;
-}
-
-void orderFaces(ImprovedMesh& improved)
-{
-  const std::vector<Index> order = orderBoundaryFaces(improved.mesh);
-  const auto reorder = [&](auto& list) {
-    auto ordered = list;
-    for (std::size_t f = 0; f < list.size(); ++f)
-    {
-      ordered[f] = list[order[f]];
-    }
-    list = std::move(ordered);
-  };
-  reorder(improved.layers.counts);
-  reorder(improved.layers.thicknesses);
-}
-
-ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, const MeshingContext& context)
+ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, MeshPort& port,
+                        const MeshingContext& context)
 {
   ImprovedMesh out;
-  const std::optional<OctreeBlocks> blocks = blocksFor(wallOptions, context.octree);
+  const std::optional<OctreeBlocks> blocks = port.blocks(wallOptions.blockSize, context.octree);
   if (blocks)
   {
     orderBoundaryFaces(given.mesh);
   }
   if (wallOptions.layers.empty())
   {
-    out.mesh = std::move(given.mesh);
+    LayerMesh plain = withoutLayer(std::move(given.mesh));
+    out.mesh = std::move(plain.mesh);
+    port.takeLayer({}, std::move(plain));
     return out;
   }
   const auto surfaceCount = static_cast<Index>(context.model.names.size());
-  const LayerOptions options = layerOptionsOf(wallOptions, hasGround(given.mesh, surfaceCount), context);
+  const bool onGround = isAnywhere(hasGround(given.mesh, surfaceCount), port.exchange());
+  const LayerOptions options = port.withBorder(layerOptionsOf(wallOptions, onGround, context));
   const LayerWalls walls = prepareWalls(given, options, context);
-  auto [layer, detached, failing, sizes] = improve(given, walls, options, wallOptions.curvedWalls, blocks, context);
-  out.layers = reportLayers(layer, walls, sizes, options, context.model.names);
+  auto [layer, detached, failing, sizes] =
+      improve(given, walls, options, wallOptions.curvedWalls, blocks, port, context);
+  out.layers = reportLayers(layer, walls, sizes, options, context.model.names, port.part(given.mesh, layer));
   out.mesh = std::move(layer.mesh);
   out.detached = std::move(detached);
+  port.takeLayer(std::move(given.mesh), std::move(layer));
   if (options.isAsked() || wallOptions.supportElements)
   {
     // Those of turned domains have layers that hold vertices of bad elements away from them.
     const bool sidesToo = !context.octree.frame().turnedDomain;
-    leaveOut(findElementsToLeaveOut(out.mesh, failing, sidesToo, context), out);
+    const std::unique_ptr<LeaveOutExchange> exchange = port.leaveOutExchange(out.mesh);
+    leaveOut(findElementsToLeaveOut(out.mesh, failing, sidesToo, *exchange, context), out);
   }
   if (blocks)
   {

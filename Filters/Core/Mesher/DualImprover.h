@@ -5,9 +5,12 @@
 #include "Layer/LayerCoverage.h"
 #include "Mesher/Blocks/ClassifiedMesh.h"
 #include "Mesher/Improvement/LayerImprover.h"
+#include "Mesher/MeshOptions.h"
 #include "Octree/Tree/MeshingContext.h"
 
 namespace atria {
+
+class MeshPort;
 
 /// A mesh whose points are the vertices of `anchors`.
 ClassifiedMesh classified(DualMesh mesh, VertexClassification classification);
@@ -17,21 +20,6 @@ ClassifiedMesh unfoldWalls(ClassifiedMesh given, const MeshingContext& context);
 
 /// Gives both sides of sheets points of their own; see splitSheets.
 ClassifiedMesh splitPoints(ClassifiedMesh given, const MeshingContext& context);
-
-/// What is made of walls.
-struct WallOptions
-{
-  /// Layers of elements on walls. Elements at the boundary are made valid, too, also by a rule that asks for no layers;
-  /// without rules the mesh is the dual as it is.
-  std::vector<LayerRule> layers = {};
-  /// Whether walls for which a rule asks for no layers have one at elements that cannot be valid without: those that
-  /// are concave there or have too few neighbors, wherever their vertices are.
-  bool supportElements = true;
-  /// Where walls have a layer.
-  CurvedWallTargets curvedWalls = {};
-  /// Where it is not 0, vertices of blocks of about so many octants at most are improved together; see improveBlocks.
-  std::size_t blockSize = 0;
-};
 
 /// An element that is not in the mesh, as it could not be made valid.
 struct LeftOutElement
@@ -56,20 +44,10 @@ struct ImprovedMesh
   std::vector<Index> pointNumbers;
 };
 
-/// What walls are to have, by rule and where elements need it. `onGround`: whether a surface lies on the domain's
-/// bottom anywhere.
-LayerOptions layerOptionsOf(const WallOptions& wallOptions, bool onGround, const MeshingContext& context);
-bool hasGround(const DualMesh& mesh, Index surfaceCount);
-
-/// Removes jogs, and finds the walls of the mesh then.
-LayerWalls prepareWalls(ClassifiedMesh& plain, const LayerOptions& options, const MeshingContext& context);
-
-/// Puts the boundary faces of a mesh in the order that they have in any part of it.
-void orderFaces(ImprovedMesh& improved);
-
 /// Grows layers on walls and makes the elements at the boundary valid (see improveLayer), also where rules ask for no
 /// layer. Without rules the mesh is returned as it is. Elements at walls that stay invalid however they are written are
 /// left out, but where neither layers are asked for nor elements are to be supported.
-ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, const MeshingContext& context);
+ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, MeshPort& port,
+                        const MeshingContext& context);
 
 } // namespace atria

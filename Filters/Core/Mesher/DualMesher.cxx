@@ -3,7 +3,10 @@
 
 #include "Dual/Vertices/TurnedDomain.h"
 #include "Dual/Zones/Cracks.h"
+#include "Dual/Zones/Leaks.h"
 #include "Dual/Zones/ZoneEnclosures.h"
+#include "Mesher/MeshPort.h"
+#include "Mesher/RoomMeasures.h"
 #include "Mesher/StageOptions.h"
 
 #include <algorithm>
@@ -13,13 +16,14 @@ namespace atria {
 namespace {
 
 Labels findLabels(const GridPlaces& grid, const Crossings& crossings, const Zones& zones, const ZoneOptions& options,
-                  DualMeshResult& result, const MeshingContext& context)
+                  const GridPart& part, DualMeshResult& result, const MeshingContext& context)
 {
+  const SurfaceModel& model = context.model;
   Labels labels;
-  labels.zoneFaces = findZoneFaces(crossings, context.model);
-  labels.rooms = findRooms(zones, result.zones, crossings, labels.zoneFaces, context.model, options.rooms, context);
-  labels.cellZones = findCellZones(crossings, grid, context.model, context);
-  result.rooms = reportOf(labels.rooms, context.model);
+  labels.zoneFaces = findZoneFaces(crossings, model);
+  labels.rooms = findRooms(zones, result.zones, crossings, labels.zoneFaces, part, model, options.rooms, context);
+  labels.cellZones = findCellZones(crossings, grid, part, model, context);
+  result.rooms = reportOf(labels.rooms, model);
   return labels;
 }
 
@@ -28,67 +32,68 @@ Diagnostic lineOf(Diagnostic::Kind kind, const std::vector<Vec3>& path, Index el
   return {kind, path.front(), path.back(), element, width, {path.begin() + 1, path.end() - 1}};
 }
 
-/// Looks for ways through which they leak, and for gaps through which they do not.
-void inspectZones(const CrossedGrid& crossed, const Zones& zones, const std::vector<Index>& elements,
-                  const ZoneOptions& options, DualMeshResult& result, const MeshingContext& context)
+/// Reports ways through which zones leak, and gaps through which they do not.
+/// \param isKept  One entry per zone, and one more for the points that this process does not know.
+void inspectZones(const CrossedGrid& crossed, const Zones& zones, const std::vector<char>& isKept,
+                  const std::vector<Index>& elements, const ZoneOptions& options, const GridPart& part,
+                  DualMeshResult& result, const MeshingContext& context)
 {
   const auto& [grid, crossings] = crossed.displaced;
-  result.leaks = findLeaks(options.sealedSeeds, zones, crossings, grid, context.model, context);
+  result.leaks = findLeaks(options.sealedSeeds, zones, crossings, grid, part, context.model, context);
   for (const Leak& leak : result.leaks)
   {
     result.diagnostics.push_back(lineOf(Diagnostic::leakPath, leak.path, elements[leak.point], leak.width));
   }
-  for (const Crack& crack : findCracks(crossed.gaps, zones, result.keptZones, crossings, grid, context))
+  const std::vector<Crack> cracks = findCracks(crossed.gaps, zones, isKept, crossings, grid, part, context);
+  for (std::size_t i = 0; i < cracks.size(); ++i)
   {
-    result.diagnostics.push_back(lineOf(crack.open ? Diagnostic::openCrack : Diagnostic::closedCrack, crack.path,
-                                        elements[crack.point], crack.width));
+    const Crack& crack = cracks[i];
+    if (crack.point != noIndex)
+    {
+      const Diagnostic::Kind kind = crack.open ? Diagnostic::openCrack : Diagnostic::closedCrack;
+      result.diagnostics.push_back(lineOf(kind, crack.path, elements[crack.point], crack.width));
+      result.diagnostics.back().order = i;
+    }
   }
 }
 
 /// Decides which zones are kept, and sums them up. Returns where solids are.
 SolidPlaces chooseZones(const Zones& zones, const GridPlaces& grid, const Crossings& crossings,
-                        const ZoneOptions& options, const DrawnModel* drawn, DualMeshResult& result,
-                        const MeshingContext& context)
+                        const ZoneOptions& options, const DrawnModel* drawn, const GridPart& part,
+                        DualMeshResult& result, const MeshingContext& context)
 {
   const GridFrame& frame = context.octree.frame();
   const SurfaceModel& model = context.model;
   const std::vector<char> isGround = drawn ? drawn->isGround : std::vector<char>();
-  const ZoneFacts facts = findZoneFacts(zones, crossings, grid, model.names.size(), wholeOf(grid), context, isGround);
+  const ZoneFacts facts = findZoneFacts(zones, crossings, grid, model.names.size(), part, context, isGround);
   const ZoneEnclosures enclosures = drawn ? ZoneEnclosures(drawn->bodies, facts, frame, context) : ZoneEnclosures();
-  const auto farthest = frame.turnedDomain ? farthestFromSides(zones, grid, 0, static_cast<Index>(grid.points().size()))
-                                           : std::vector<double>();
-  result.keptZones = chooseZones(zones, options.zoneRule, zonesOfSeeds(zones, seedsOf(options), grid, model), farthest,
-                                 facts, enclosures, frame);
+  result.keptZones = chooseZones(zones, options.zoneRule, zonesOfSeeds(zones, seedsOf(options), grid, part, model),
+                                 farthestFromSides(zones, grid, part), facts, enclosures, frame);
   result.zones = summarizeZones(zones, result.keptZones, facts, enclosures.kinds(result.keptZones), isGround, frame);
   return drawn ? SolidPlaces(drawn->bodies, enclosures.holdsAir(result.keptZones), frame.placement) : SolidPlaces();
 }
 
-/// Of the whole grid.
-ViewShare allOf(const GridPoints& points) { return {0, static_cast<Index>(points.size())}; }
-
-void seeModel(const CrossedGrid& crossed, const Zones& zones, const DualMeshResult& result, SeenModel& seen,
-              const MeshingContext& context)
+void seeModel(const CrossedGrid& crossed, const Zones& zones, const DualMeshResult& result, const GridPart& part,
+              SeenModel& seen, const MeshingContext& context)
 {
   const auto& [grid, crossings] = crossed.displaced;
   const std::vector<View> ofZone = viewsOfZones(result.zones);
-  const ViewShare all = allOf(grid.points());
-  seen.views = findModelViews(crossings, grid, zones, ofZone, context.model, all, context);
-  seen.airParts = findAirParts(crossings, zones, ofZone, context.model, all, context);
-  seen.samples = sampleSurfaces(crossings, zones, ofZone, all, context);
+  seen.views = findModelViews(crossings, grid, zones, ofZone, context.model, part, context);
+  seen.airParts = findAirParts(crossings, zones, ofZone, context.model, part, context);
+  seen.samples = sampleSurfaces(crossings, zones, ofZone, part, context);
 }
 
 /// The zones of the octree's own grid tell what of the model air may reach. If that is not all of it, the crossings
 /// become those of the rest.
-ReachedStage findReached(OctreeGrid& own, const ZoneOptions& options, const DrawnModel* drawn,
+ReachedStage findReached(OctreeGrid& own, const ZoneOptions& options, const DrawnModel* drawn, const GridPart& part,
                          const MeshingContext& context)
 {
   const GridPlaces grid(context.octree, own.points);
-  const Zones zones = findZones(own.crossings, context.model.names.size(), context);
+  const Zones zones = findZones(own.crossings, context.model.names.size(), part, context);
   DualMeshResult found;
-  const SolidPlaces solids = chooseZones(zones, grid, own.crossings, options, drawn, found, context);
+  const SolidPlaces solids = chooseZones(zones, grid, own.crossings, options, drawn, part, found, context);
   ReachedStage out;
-  out.parts =
-      findUnreachedParts(own.crossings, grid, zones, viewsOfZones(found.zones), solids, allOf(own.points), context);
+  out.parts = findUnreachedParts(own.crossings, grid, zones, viewsOfZones(found.zones), solids, part, context);
   if (out.parts.any())
   {
     out.model = std::make_unique<ReachedModel>(out.parts, context);
@@ -101,96 +106,68 @@ ReachedStage findReached(OctreeGrid& own, const ZoneOptions& options, const Draw
 /// Zones, and from them elements and vertices.
 ClassifiedMesh fillMesh(DualMeshResult& result, SeenModel& seen, CrossedGrid& grid, bool keepGrid,
                         const ZoneOptions& options, const DrawnModel* drawn, const ReachedStage& reached,
-                        StageClock& clock, const MeshingContext& context)
+                        MeshPort& port, StageClock& clock, const MeshingContext& context)
 {
   const auto& [places, crossings] = grid.displaced;
+  const GridPart& part = port.divide(context.octree, grid.points, context);
   context.progress.report(0.6, "Finding zones");
-  const Zones zones = findZones(crossings, context.model.names.size(), context);
-  chooseZones(zones, places, crossings, options, drawn, result, context);
+  const Zones zones = findZones(crossings, context.model.names.size(), part, context);
+  chooseZones(zones, places, crossings, options, drawn, part, result, context);
   std::vector<std::int32_t> ofWhole;
   if (reached.model)
   {
-    ofWhole = keepAs(reached.zones, zones, places, allOf(places.points()), result.keptZones, result.zones);
+    ofWhole = keepAs(reached.zones, zones, places, part, result.keptZones, result.zones);
   }
-  const std::vector<Index> elements = numberElements(zones, result.keptZones, context);
-  inspectZones(grid, zones, elements, options, result, context);
-  Labels labels = findLabels(places, crossings, zones, options, result, context);
+  std::vector<char> isKept = result.keptZones;
+  isKept.push_back(1); // points that this process does not know have elements until the mesh is completed
+  const std::vector<Index> elements = numberElements(zones, isKept, context);
+  inspectZones(grid, zones, isKept, elements, options, part, result, context);
+  Labels labels = findLabels(places, crossings, zones, options, part, result, context);
   clock.lap("zones");
-  seeModel(grid, zones, result, seen, context);
+  seeModel(grid, zones, result, part, seen, context);
   clock.lap("audit");
+  if (!keepGrid)
+  {
+    release(grid.points.atCorner); // only crossings and zones depend on these
+  }
   ClassifiedMesh made =
       makeElements(grid, keepGrid, zones, elements, std::move(labels), result.diagnostics, clock, context);
   if (reached.model)
   {
     listAs(reached.zones, ofWhole, made.mesh.zones, result.keptZones, result.zones);
   }
+  port.takeElements(elements);
   return made;
 }
 
-/// Each detached vertex with an element that has it.
-void appendDetached(const DualMesh& mesh, const std::vector<DetachedVertex>& detached, std::vector<Diagnostic>& out)
+/// Adds the elements that are not in the mesh, in the order of elements, those of layers after all others.
+void appendLeftOut(const ImprovedMesh& improved, const OwnElements& part, std::vector<Diagnostic>& diagnostics)
 {
-  if (detached.empty())
-  {
-    return;
-  }
-  std::vector<Index> slots(mesh.points.size(), noIndex);
-  for (Index i = 0; i < detached.size(); ++i)
-  {
-    slots[detached[i].point] = i;
-  }
-  std::vector<Index> elements(detached.size(), noIndex);
-  for (Index e = 0; e < mesh.elementCount(); ++e)
-  {
-    for (const Index p : mesh.corners[e])
-    {
-      if (slots[p] != noIndex && elements[slots[p]] == noIndex)
-      {
-        elements[slots[p]] = e;
-      }
-    }
-  }
-  for (std::size_t i = 0; i < detached.size(); ++i)
-  {
-    out.push_back({Diagnostic::detachedVertex, mesh.points[detached[i].point], detached[i].wanted, elements[i]});
-  }
-}
-
-/// Diagnostics follow their elements.
-void appendLeftOut(const ImprovedMesh& improved, std::vector<Diagnostic>& diagnostics)
-{
-  for (Diagnostic& diagnostic : diagnostics)
-  {
-    if (!improved.numbers.empty() && diagnostic.element != noIndex)
-    {
-      diagnostic.element = improved.numbers[diagnostic.element];
-    }
-  }
   for (const LeftOutElement& element : improved.leftOut)
   {
-    diagnostics.push_back({Diagnostic::leftOutElement, element.middle, element.middle, element.beside, element.size});
+    if (part.owns(element.number))
+    {
+      const Index beside = element.beside == noIndex ? noIndex : element.besideBefore;
+      diagnostics.push_back({Diagnostic::leftOutElement, element.middle, element.middle, beside, element.size});
+      diagnostics.back().order = element.number;
+    }
   }
 }
 
-void countElements(const DualMesh& mesh, const std::vector<char>& keptZones, std::vector<ZoneSummary>& zones)
+/// Counts the elements of zones that are kept.
+void countElements(const DualMesh& mesh, const std::vector<char>& keptZones, const OwnElements& part,
+                   std::vector<ZoneSummary>& zones)
 {
+  std::vector<std::size_t> counts(zones.size(), 0);
+  for (Index e = 0; e < mesh.elementCount(); ++e)
+  {
+    counts[static_cast<std::size_t>(mesh.zones[e])] += part.owns(e) ? 1 : 0;
+  }
+  counts = sumAll(part.exchange, std::move(counts));
   for (std::size_t zone = 0; zone < zones.size(); ++zone)
   {
-    zones[zone].elements = keptZones[zone] ? 0 : zones[zone].elements;
+    zones[zone].elements = keptZones[zone] ? counts[zone] : zones[zone].elements;
   }
-  for (const std::int32_t zone : mesh.zones)
-  {
-    ++zones[zone].elements;
-  }
-}
-
-void takeImproved(ImprovedMesh improved, DualMeshResult& result)
-{
-  appendLeftOut(improved, result.diagnostics);
-  result.mesh = std::move(improved.mesh);
-  result.layers = std::move(improved.layers);
-  appendDetached(result.mesh, improved.detached, result.diagnostics);
-  countElements(result.mesh, result.keptZones, result.zones);
 }
 
 void placeAll(std::vector<Vec3>& points, const Placement& placement)
@@ -200,14 +177,15 @@ void placeAll(std::vector<Vec3>& points, const Placement& placement)
 
 /// Returns the octree's own grid where it had to be made, for the model that air may reach.
 std::optional<OctreeGrid> makeReached(DualStages& stages, const ZoneOptions& options, const DrawnModel* drawn,
-                                      StageClock& clock, const MeshingContext& context)
+                                      MeshPort& port, StageClock& clock, const MeshingContext& context)
 {
   if (stages.reached.isOf(options))
   {
     return std::nullopt;
   }
   OctreeGrid grid(clock, context.part(0.0, 0.3));
-  ReachedStage found = findReached(grid, options, drawn, context.part(0.3, 0.45));
+  const GridPart& part = port.divide(context.octree, grid.points, context);
+  ReachedStage found = findReached(grid, options, drawn, part, context.part(0.3, 0.45));
   clock.lap("crossings");
   stages.plain = {};
   stages.reached.options = options;
@@ -226,10 +204,10 @@ std::optional<OctreeGrid> makeReached(DualStages& stages, const ZoneOptions& opt
 
 /// The stages up to the plain mesh, as far as they are not there; what only they need is freed unless it is kept: it is
 /// larger than the mesh.
-void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, const DrawnModel* drawn,
+void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, const DrawnModel* drawn, MeshPort& port,
                StageClock& clock, const MeshingContext& whole)
 {
-  std::optional<OctreeGrid> octreeGrid = makeReached(stages, options, drawn, clock, whole);
+  std::optional<OctreeGrid> octreeGrid = makeReached(stages, options, drawn, port, clock, whole);
   const ReachedStage& reached = *stages.reached.result;
   const MeshingContext context = reached.in(whole);
   if (!stages.grid.isOf(options))
@@ -240,7 +218,7 @@ void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, co
     {
       octreeGrid.emplace(clock, context.part(0.0, 0.3));
     }
-    stages.grid.result = std::make_unique<CrossedGrid>(std::move(*octreeGrid), options, clock, context);
+    stages.grid.result = std::make_unique<CrossedGrid>(std::move(*octreeGrid), options, port, clock, context);
     stages.grid.options = options;
   }
   if (stages.plain.isOf(options))
@@ -251,7 +229,7 @@ void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, co
   auto plain = std::make_unique<PlainDual>();
   plain->seen.unreached = areasOf(reached.parts, whole.model, whole.octree.frame());
   ClassifiedMesh mesh =
-      fillMesh(plain->found, plain->seen, *stages.grid.result, keep, options, drawn, reached, clock, context);
+      fillMesh(plain->found, plain->seen, *stages.grid.result, keep, options, drawn, reached, port, clock, context);
   if (!keep)
   {
     stages.grid = {};
@@ -262,8 +240,7 @@ void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, co
   clock.lap("elements");
 }
 
-} // namespace
-
+/// Puts mesh and diagnostics along the model's axes.
 void placeInModel(DualMeshResult& result, const Placement& placement, const RunContext& context)
 {
   if (placement.angle() == 0.0)
@@ -290,8 +267,11 @@ void placeInModel(DualMeshResult& result, const Placement& placement, const RunC
   placeInModel(result.audit, placement);
 }
 
+} // namespace
+
 DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
-                            StageClock& clock, const RunContext& run, DualStages* kept, const DrawnModel* drawn)
+                            StageClock& clock, const RunContext& run, DualStages* kept, const DrawnModel* drawn,
+                            MeshPort& port)
 {
   DualStages own;
   DualStages& stages = kept ? *kept : own;
@@ -300,23 +280,36 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
     stages.tree.emplace(model);
   }
   const MeshingContext whole{run, octree, model, *stages.tree};
-  makePlain(stages, kept != nullptr, options, drawn, clock, whole.part(0.0, 0.55));
-  const MeshingContext context = stages.reached.result->in(whole);
+  makePlain(stages, kept != nullptr, options, drawn, port, clock, whole.part(0.0, 0.55));
+  ReachedStage& reached = *stages.reached.result;
+  const MeshingContext context = reached.in(whole);
   PlainDual plain = kept ? *kept->plain.result : std::move(*own.plain.result);
   DualMeshResult result = std::move(plain.found);
+  port.complete(plain.mesh, result.diagnostics, reached.model.get(), context);
+  clock.lap("elements");
   context.progress.report(0.55, "Growing layers");
-  takeImproved(growLayers(std::move(plain.mesh), options, context.part(0.55, 0.98)), result);
-  orderZoneFaces(result.mesh);
-  measureRooms(result.mesh, context.model, octree.frame().domain, {}, result.rooms);
+  ImprovedMesh improved = growLayers(std::move(plain.mesh), options, port, context.part(0.55, 0.98));
+  appendLeftOut(improved, port.part({}), result.diagnostics);
+  const OwnElements part = port.part(improved.numbers);
+  countElements(improved.mesh, result.keptZones, part, result.zones);
+  orderZoneFaces(improved.mesh);
+  measureRooms(improved.mesh, context.model, octree.frame().domain, part, result.rooms);
   clock.lap("layers");
-  result.audit = auditMesh(result.mesh, plain.seen, {}, context);
+  result.audit = auditMesh(improved.mesh, plain.seen, part, context);
   clock.lap("audit");
+  port.finish(std::move(improved), result, clock, context);
   context.progress.report(0.98, "Placing the mesh in the model");
   placeInModel(result, octree.frame().placement, context);
-  result.metSides = findMetSides(result.mesh, model.names.size());
   clock.lap("layers");
   context.progress.report(1.0, "Meshed");
   return result;
+}
+
+DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
+                            StageClock& clock, const RunContext& context, DualStages* kept, const DrawnModel* drawn)
+{
+  MeshPort alone;
+  return makeDualMesh(octree, model, options, clock, context, kept, drawn, alone);
 }
 
 } // namespace atria

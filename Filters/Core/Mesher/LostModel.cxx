@@ -6,11 +6,9 @@
 
 namespace atria {
 
-std::vector<std::string> warningsOfLostModel(const TriangleSurface& surface, const ModelOptions& options,
-                                             const GridFrame& frame, const std::vector<MetSides>& met)
+std::vector<std::string> warningsOfLostModel(const std::vector<char>& isGround, double sizeMin,
+                                             const std::vector<MetSides>& met)
 {
-  const double sizeMin = frame.sizeOf(frame.featureLevel);
-  const SurfaceFlags isGround = groundOf(surface, options.site, sizeMin).isGround;
   bool isAnyMet = false;
   for (std::size_t i = 0; i < isGround.size(); ++i)
   {

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Warns if a mesh has lost its model.
 #pragma once
 
 #include "Dual/Mesh/MetSides.h"
-#include "Mesher/ModelOptions.h"
+
+#include <string>
+#include <vector>
 
 namespace atria {
 
-/// A sentence where no surface but the ground has a face in the mesh, though there are others.
-std::vector<std::string> warningsOfLostModel(const TriangleSurface& surface, const ModelOptions& options,
-                                             const GridFrame& frame, const std::vector<MetSides>& met);
+/// Returns a sentence if no surface but the ground has a face in the mesh, though there are others.
+/// \param isGround  One flag per surface.
+/// \param met       One entry per surface; more are ignored.
+std::vector<std::string> warningsOfLostModel(const std::vector<char>& isGround, double sizeMin,
+                                             const std::vector<MetSides>& met);
 
 } // namespace atria

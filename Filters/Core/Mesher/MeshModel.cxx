@@ -4,7 +4,9 @@
 #include "Domain/DomainCheck.h"
 #include "Dual/Zones/CellZones.h"
 #include "Layer/LayerBudget.h"
+#include "Mesher/MeshPort.h"
 #include "Mesher/MeshReport.h"
+#include "Mesher/MeshStages.h"
 #include "Mesher/StageOptions.h"
 #include "Octree/Tree/Balance.h"
 
@@ -27,23 +29,12 @@ void checkHoldsModel(const TriangleSurface& surface, const SiteOptions& options,
   checkDomain(surface, plan, DomainMode::bounds, sizeMin);
 }
 
-void makeOctree(const TriangleSurface& model, const ModelOptions& asked, ModelOctree& out, StageClock& clock,
+void makeOctree(const TriangleSurface& surface, const ModelOptions& options, ModelOctree& out, StageClock& clock,
                 const RunContext& context)
 {
-  context.progress.report(0.0, "Finding the ground");
-  GroundedInput grounded = groundModel(model, asked);
-  const auto& [surface, options, ground] = grounded;
-  const SitePlan plan = planSite(surface, options);
-  out.inputWarnings = checkDomain(surface, plan, options);
-  out.inputWarnings.insert(out.inputWarnings.end(), ground.warnings.begin(), ground.warnings.end());
-  context.progress.report(0.0, "Repairing surfaces");
-  const PlacedModel placed = placeModel(surface, plan, options);
-  out.model = makeSurfaceModel(placed, options, context.part(0.0, 0.125));
-  clock.lap("surface");
-  SizedOctants sized = sizeOctants(out.model, placed.frame, options, context.part(0.125, 0.625));
-  out.octree = buildOctree(out.model, placed.frame, sized, context.part(0.625, 1.0));
-  out.sizingWarning = std::move(sized.warning);
-  out.grounded = std::move(grounded);
+  SizedModel sized = sizeModel(surface, options, clock, context.part(0.0, 0.625));
+  out.octree = buildOctree(sized.model, sized.frame, sized.octants, context.part(0.625, 1.0));
+  static_cast<PreparedModel&>(out) = std::move(sized);
   clock.lap("octree");
 }
 
@@ -65,6 +56,7 @@ void takeOctree(const TriangleSurface& model, const OctreeSets& octants, const M
   balance(refined, placed.frame, context.part(0.25, 0.5));
   out.octree = Octree(placed.frame, refined);
   locateModel(out.octree, out.model, context.part(0.5, 1.0));
+  out.maximumLevel = out.octree.maximumLevel();
   out.grounded = std::move(grounded);
   clock.lap("octree");
 }
@@ -129,21 +121,20 @@ MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, cons
       cache.stages().input = {surface, octants ? std::optional(*octants) : std::nullopt, options};
     }
   }
-  const auto& [model, octree, inputWarnings, sizingWarning, grounded] = *cache.sources();
-  checkLayerBudget(octree, model, options.mesh.layers, options.sizing.memoryLimit, context);
-  MeshedModel out;
-  DualMeshOptions dual = options.mesh;
-  dual.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;
-  const DrawnModel drawn = drawnModel(grounded.surface, grounded.options.site, model.kinds, octree.frame(), context);
-  static_cast<DualMeshResult&>(out) = makeDualMesh(octree, model, dual, clock, context.part(octreeShare, 1.0),
-                                                   kept ? &cache.stages().dual : nullptr, &drawn);
-  out.inputWarnings = inputWarnings;
-  out.sizingWarning = sizingWarning;
-  reportMesh({grounded, drawn, model, octree.frame()}, metCellZones(out.mesh.cellZones, model), out);
-  out.maximumLevel = octree.maximumLevel();
-  clock.lap("audit");
-  out.stages = clock.stages();
-  return out;
+  const ModelOctree& sources = *cache.sources();
+  MeshPort port;
+  return meshOctree(sources, sources.octree, options, kept ? &cache.stages().dual : nullptr, port, clock,
+                    context.part(octreeShare, 1.0));
+}
+
+int finestLevel(const RefinedSets& refined)
+{
+  int level = 0;
+  for (std::size_t above = 0; above < refined.size(); ++above)
+  {
+    level = refined[above].empty() ? level : static_cast<int>(above) + 1;
+  }
+  return level;
 }
 
 } // namespace
@@ -158,6 +149,51 @@ MeshedModel meshModel(const TriangleSurface& surface, const OctreeSets& octants,
                       const RunContext& context, StageCache* cache)
 {
   return mesh(surface, &octants, options, context, cache);
+}
+
+SizedModel sizeModel(const TriangleSurface& asRead, const ModelOptions& asked, StageClock& clock,
+                     const RunContext& context)
+{
+  context.progress.report(0.0, "Finding the ground");
+  SizedModel out;
+  out.grounded = groundModel(asRead, asked);
+  const auto& [surface, options, ground] = out.grounded;
+  const SitePlan plan = planSite(surface, options);
+  out.inputWarnings = checkDomain(surface, plan, options);
+  out.inputWarnings.insert(out.inputWarnings.end(), ground.warnings.begin(), ground.warnings.end());
+  context.progress.report(0.0, "Repairing surfaces");
+  const PlacedModel placed = placeModel(surface, plan, options);
+  out.frame = placed.frame;
+  out.model = makeSurfaceModel(placed, options, context.part(0.0, 0.2));
+  clock.lap("surface");
+  out.octants = sizeOctants(out.model, out.frame, options, context.part(0.2, 1.0));
+  out.sizingWarning = out.octants.warning;
+  out.maximumLevel = finestLevel(out.octants.refined);
+  return out;
+}
+
+MeshedModel meshOctree(const PreparedModel& prepared, const Octree& octree, const MesherOptions& options,
+                       DualStages* kept, MeshPort& port, StageClock& clock, const RunContext& context)
+{
+  const SurfaceModel& model = prepared.model;
+  const std::vector<std::size_t> elements =
+      sumAll(port.exchange(),
+             std::vector{elementsWithLayers(octree, model, options.mesh.layers, context, port.ownLeaves(octree))});
+  checkLayerBudget(elements[0], options.sizing.memoryLimit);
+  MeshedModel out;
+  DualMeshOptions dual = options.mesh;
+  dual.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;
+  const GridFrame frame = octree.frame();
+  const GroundedInput& grounded = prepared.grounded;
+  const DrawnModel drawn = drawnModel(grounded.surface, grounded.options.site, model.kinds, frame, context);
+  static_cast<DualMeshResult&>(out) = makeDualMesh(octree, model, dual, clock, context, kept, &drawn, port);
+  out.inputWarnings = prepared.inputWarnings;
+  out.sizingWarning = prepared.sizingWarning;
+  out.maximumLevel = prepared.maximumLevel;
+  reportMesh({grounded, drawn, model, frame}, anyOfAll(port.exchange(), metCellZones(out.mesh.cellZones, model)), out);
+  clock.lap("audit");
+  out.stages = clock.stages();
+  return out;
 }
 
 std::size_t estimateLayerElements(const TriangleSurface& surface, const MesherOptions& options,

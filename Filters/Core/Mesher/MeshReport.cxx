@@ -11,9 +11,10 @@ namespace atria {
 void reportMesh(const MeshSources& sources, const std::vector<char>& metCellZones, MeshedModel& out)
 {
   const auto& [grounded, drawn, model, frame] = sources;
+  const double sizeMin = frame.sizeOf(frame.featureLevel);
   for (const std::vector<std::string>& warnings :
-       {warningsOfEmptyCellZones(metCellZones, model), warningsOfOverlaps(model, frame.sizeOf(frame.featureLevel)),
-        warningsOfLostModel(grounded.surface, grounded.options, frame, out.metSides)})
+       {warningsOfEmptyCellZones(metCellZones, model), warningsOfOverlaps(model, sizeMin),
+        warningsOfLostModel(drawn.isGround, sizeMin, out.metSides)})
   {
     out.inputWarnings.insert(out.inputWarnings.end(), warnings.begin(), warnings.end());
   }

@@ -4,6 +4,7 @@
 
 #include "Mesher/DrawnModel.h"
 #include "Mesher/MeshModel.h"
+#include "Mesher/ModelStages.h"
 
 namespace atria {
 

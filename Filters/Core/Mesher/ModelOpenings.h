@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Mesher/ModelOptions.h"
+#include "Mesher/ModelStages.h"
 
 namespace atria {
 

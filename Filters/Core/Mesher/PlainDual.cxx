@@ -4,6 +4,7 @@
 #include "Dual/Vertices/DualVertices.h"
 #include "Dual/Vertices/TurnedDomain.h"
 #include "Dual/Zones/CrackClosing.h"
+#include "Mesher/MeshPort.h"
 #include "Support/Pieces.h"
 
 #include <algorithm>
@@ -226,10 +227,10 @@ void fixMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& points, 
 
 /// Displaces grid points and closes cracks.
 DisplacedGrid findBoundary(const GridPoints& points, Crossings undisplaced, const BoundaryGaps& gaps,
-                           double crackTolerance, const WideZoneFinder& findZones, const MeshingContext& context)
+                           double crackTolerance, const GridPart& part, const MeshingContext& context)
 {
   context.progress.report(0.45, "Moving grid points");
-  DisplacedGrid grid = displaceGrid(points, std::move(undisplaced), context, findZones);
+  DisplacedGrid grid = displaceGrid(points, std::move(undisplaced), part, context);
   grid.crossings = closeCracks(std::move(grid.crossings), gaps, grid.places, crackTolerance, context);
   grid.crossings = markTurnedSides(std::move(grid.crossings), context.model.names.size());
   return grid;
@@ -306,10 +307,11 @@ OctreeGrid::OctreeGrid(StageClock& clock, const MeshingContext& context) : point
   clock.lap("crossings");
 }
 
-CrossedGrid::CrossedGrid(OctreeGrid grid, const CrossingOptions& options, StageClock& clock,
-                         const MeshingContext& context, const WideZoneFinder& findZones)
+CrossedGrid::CrossedGrid(OctreeGrid grid, const CrossingOptions& options, MeshPort& port, StageClock& clock,
+                         const MeshingContext& context)
     : points(std::move(grid.points)), gaps(findBoundaryGaps(context)),
-      displaced(findBoundary(points, std::move(grid.crossings), gaps, options.crackTolerance, findZones, context))
+      displaced(findBoundary(points, std::move(grid.crossings), gaps, options.crackTolerance,
+                             port.divide(context.octree, points, context), context))
 {
   clock.lap("crossings");
 }

@@ -7,17 +7,10 @@
 #include "Dual/Zones/Labels.h"
 #include "Mesher/Diagnostic.h"
 #include "Mesher/DualImprover.h"
+#include "Mesher/MeshOptions.h"
 #include "Support/StageClock.h"
 
 namespace atria {
-
-/// What the grid's crossings depend on beyond octree and model.
-struct CrossingOptions
-{
-  /// Cracks beside boundary edges that are no wider than this part of the octants there are closed; 0 closes none.
-  /// Wider ones are open where an edge of the grid passes.
-  double crackTolerance = 0.5;
-};
 
 /// The octree's own grid: its points, and what cuts its edges.
 struct OctreeGrid
@@ -35,9 +28,9 @@ struct OctreeGrid
 /// displaced grid.
 struct CrossedGrid
 {
-  /// Ranks have a way of their own to find zones.
-  CrossedGrid(OctreeGrid grid, const CrossingOptions& options, StageClock& clock, const MeshingContext& context,
-              const WideZoneFinder& findZones = {});
+  /// `port` divides the grid's points.
+  CrossedGrid(OctreeGrid grid, const CrossingOptions& options, MeshPort& port, StageClock& clock,
+              const MeshingContext& context);
 
   GridPoints points;
   BoundaryGaps gaps;

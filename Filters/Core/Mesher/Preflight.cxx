@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/Preflight.h"
 
+#include "Mesher/ModelStages.h"
 #include "Octree/Sizing/ElementBudget.h"
 
 #include <algorithm>

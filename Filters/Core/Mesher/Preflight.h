@@ -2,8 +2,8 @@
 /// What a mesh would be like, before it is made.
 #pragma once
 
+#include "Domain/GroundReport.h"
 #include "Mesher/ModelOptions.h"
-#include "Octree/Tree/Octree.h"
 #include "Support/RunContext.h"
 #include "Surface/Inspection/NarrowPlaces.h"
 

@@ -2,9 +2,11 @@
 /// Rooms and openings as the mesh has them.
 #pragma once
 
-#include "Dual/Mesh/MeshShare.h"
-#include "Dual/Zones/Rooms.h"
-#include "Surface/Model/SurfaceModel.h"
+#include "Support/Types.h"
+
+#include <array>
+#include <string>
+#include <vector>
 
 namespace atria {
 
@@ -40,13 +42,5 @@ struct RoomReport
   /// How many surfaces, the last ones, are openings found by rule; some may not be in the mesh.
   std::size_t found = 0;
 };
-
-/// With rooms that are neither measured nor named.
-RoomReport reportOf(const Rooms& rooms, const SurfaceModel& model);
-
-/// Measures and names the rooms that the elements of a mesh are in, and their openings, of which the report knows the
-/// number of rooms alone. `domain` is about the mesh. All ranks get the same, whatever part of it each has.
-void measureRooms(const DualMesh& mesh, const SurfaceModel& model, const Box3& domain, const MeshShare& share,
-                  RoomReport& report);
 
 } // namespace atria

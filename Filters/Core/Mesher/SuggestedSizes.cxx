@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/SuggestedSizes.h"
 
+#include "Mesher/ModelStages.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Mesher/ModelOptions.h"
+#include "Surface/Triangles/TriangleSurface.h"
 
 namespace atria {
 

@@ -38,6 +38,33 @@ public:
   virtual bool agreeOn(const std::function<void()>& work) = 0;
 };
 
+/// Thrown on all ranks if one of them has to make the whole mesh, because a result is not found in parts.
+class WholeNeeded : public Error
+{
+  using Error::Error;
+};
+
+/// The exchange of a process that makes the whole mesh.
+class SoleRank final : public RankExchange
+{
+public:
+  int rank() const override { return 0; }
+  int ranks() const override { return 1; }
+  std::vector<Bytes> exchange(std::vector<Bytes> toRanks) override { return toRanks; }
+  bool agreeOn(const std::function<void()>& work) override
+  {
+    work();
+    return true;
+  }
+};
+
+/// Returns the exchange of a process that makes the whole mesh. Threads may share it.
+inline RankExchange& alone()
+{
+  static SoleRank sole;
+  return sole;
+}
+
 /// Returns the values as bytes; see ByteWriter.
 template <typename... T> Bytes bytesOf(const T&... values)
 {
@@ -54,6 +81,10 @@ template <typename... T> void readBytes(const Bytes& bytes, T&... values)
 /// Gathers the value of each rank on all ranks. One entry per rank.
 template <typename T> std::vector<T> gatherAll(RankExchange& ranks, const T& own)
 {
+  if (ranks.ranks() == 1)
+  {
+    return {own};
+  }
   std::vector<T> out;
   for (const Bytes& bytes : ranks.gather(bytesOf(own)))
   {
@@ -62,22 +93,56 @@ template <typename T> std::vector<T> gatherAll(RankExchange& ranks, const T& own
   return out;
 }
 
-/// Returns the sums over all ranks, entry by entry. The lists must be equally long.
-template <typename List> List sumOverRanks(RankExchange& ranks, const List& own)
+/// Gathers the lists of all ranks, in the order of ranks, as one list on all ranks.
+template <typename T> std::vector<T> joinAll(RankExchange& ranks, std::vector<T> own)
 {
+  if (ranks.ranks() == 1)
+  {
+    return own;
+  }
+  std::vector<T> all;
+  for (const std::vector<T>& some : gatherAll(ranks, own))
+  {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+/// Adds up the lists of all ranks, entry by entry, by `add(more, sum)`. The lists must be equally long.
+template <typename List, typename Add> List addAll(RankExchange& ranks, List own, Add&& add)
+{
+  if (ranks.ranks() == 1)
+  {
+    return own;
+  }
   List sums = own;
   std::ranges::fill(sums, typename List::value_type{});
   for (const List& some : gatherAll(ranks, own))
   {
-    std::ranges::transform(some, sums, sums.begin(), std::plus<>());
+    for (std::size_t i = 0; i < sums.size(); ++i)
+    {
+      add(some[i], sums[i]);
+    }
   }
   return sums;
+}
+
+/// Returns the sums over all ranks, entry by entry. The lists must be equally long.
+template <typename List> List sumAll(RankExchange& ranks, List own)
+{
+  return addAll(ranks, std::move(own), [](const auto& more, auto& sum) { sum += more; });
+}
+
+/// Returns for each entry whether it is set on any rank. The lists must be equally long.
+inline std::vector<char> anyOfAll(RankExchange& ranks, std::vector<char> own)
+{
+  return addAll(ranks, std::move(own), [](char more, char& any) { any = static_cast<char>(any | more); });
 }
 
 /// True if `here` is true on any rank.
 inline bool isAnywhere(bool here, RankExchange& ranks)
 {
-  return sumOverRanks(ranks, std::array{here ? std::size_t{1} : 0})[0] > 0;
+  return sumAll(ranks, std::array{here ? std::size_t{1} : 0})[0] > 0;
 }
 
 /// Sends one list to each rank. Returns the lists that the ranks sent to this one.

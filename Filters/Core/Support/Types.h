@@ -12,6 +12,7 @@
 namespace atria {
 
 /// A point or vector in model units (meters unless the model says otherwise).
+using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 
 /// Index of a point, element or leaf; `noIndex` stands for "none".

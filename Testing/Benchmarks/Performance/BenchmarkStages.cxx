@@ -83,7 +83,7 @@ public:
     grid.emplace(octree, points);
     crossings = findCrossings(*grid, model, context);
     const TriangleTreeOnDemand tree(model);
-    displaced = displaceGrid(points, crossings, {context, octree, model, tree}).crossings;
+    displaced = displaceGrid(points, crossings, GridPart(points), {context, octree, model, tree}).crossings;
     for (const auto& about : points.leaves)
     {
       leaves.insert(leaves.end(), about.begin(), about.end());
@@ -215,8 +215,8 @@ void movedPoints(benchmark::State& state, const Case& which)
     Crossings undisplaced = work.crossings;
     const TriangleTreeOnDemand tree(work.model);
     state.ResumeTiming();
-    benchmark::DoNotOptimize(
-        displaceGrid(work.points, std::move(undisplaced), {work.context, work.octree, work.model, tree}));
+    benchmark::DoNotOptimize(displaceGrid(work.points, std::move(undisplaced), GridPart(work.points),
+                                          {work.context, work.octree, work.model, tree}));
   }
   count(state, work.points.size());
 }

@@ -21,15 +21,15 @@ GridPlaces displacedPlaces(const GridPoints& points, const Crossings& undisplace
 
 } // namespace
 
-DisplacedGrid displaceGrid(const GridPoints& points, Crossings undisplaced, const MeshingContext& context,
-                           const WideZoneFinder& findZones)
+DisplacedGrid displaceGrid(const GridPoints& points, Crossings undisplaced, const GridPart& part,
+                           const MeshingContext& context)
 {
   const SurfaceModel& model = context.model;
   GridPlaces places = displacedPlaces(points, undisplaced, context);
   const bool isAny = places.displacedCount() > 0;
-  const std::vector<Index> apart = findZones ? findZones(points, undisplaced)
-                                   : isAny   ? wideZones(points, undisplaced, context)
-                                             : std::vector<Index>();
+  const std::vector<Index> apart = isAnywhere(isAny, part.exchange())
+                                       ? wideZones(points, undisplaced, model.names.size(), part, context)
+                                       : std::vector<Index>();
   if (!isAny)
   {
     return {std::move(places), std::move(undisplaced)};

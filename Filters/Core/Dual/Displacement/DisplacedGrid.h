@@ -22,10 +22,10 @@ struct DisplacedGrid
 ///
 /// Planes of points enter the gaps (GapPlanes.h); what is left is searched point by point (PlaceSearch.h). No move
 /// opens a way between zones that the octree's own grid keeps apart: points through which they would meet go back again
-/// (ZonesApart.h); `findZones`, if given, knows these, and is called once. `undisplaced` are the crossings of the
-/// octree's own grid, `points`. The cost is that of the places in question, and of a few passes over the cut edges.
-/// Places are searched on all threads; the moves are made in the order of points.
-DisplacedGrid displaceGrid(const GridPoints& points, Crossings undisplaced, const MeshingContext& context,
-                           const WideZoneFinder& findZones = {});
+/// (ZonesApart.h). `undisplaced` are the crossings of the octree's own grid, `points`. The cost is that of the places
+/// in question, and of a few passes over the cut edges. Places are searched on all threads; the moves are made in the
+/// order of points.
+DisplacedGrid displaceGrid(const GridPoints& points, Crossings undisplaced, const GridPart& part,
+                           const MeshingContext& context);
 
 } // namespace atria

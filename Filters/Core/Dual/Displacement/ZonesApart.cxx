@@ -98,8 +98,7 @@ private:
   std::set<Index> joining;
 };
 
-} // namespace
-
+/// Marks the grid points around which surfaces cut no octant.
 std::vector<char> pointsInTheOpen(const GridPoints& points, const Crossings& crossings, const RunContext& context)
 {
   std::vector<char> isCut(points.atCorner.size(), 0);
@@ -115,26 +114,30 @@ std::vector<char> pointsInTheOpen(const GridPoints& points, const Crossings& cro
   return isOpen;
 }
 
-std::vector<Index> wideZones(const GridPoints& points, const Crossings& crossings, const RunContext& context)
+} // namespace
+
+std::vector<Index> wideZones(const GridPoints& points, const Crossings& crossings, std::size_t surfaceCount,
+                             const GridPart& part, const RunContext& context)
 {
-  const std::size_t count = crossings.neighbors.size();
-  UnionFind sets = joinPoints(crossings, context);
-  std::vector<Index> zones(count);
-  for (Index point = 0; point < count; ++point)
-  {
-    zones[point] = sets.find(point);
-  }
+  const Zones zones = findZones(crossings, surfaceCount, part, context);
   const std::vector<char> isOpen = pointsInTheOpen(points, crossings, context);
-  std::vector<char> isWide(count, 0);
-  context.executor.forEach(count, grain, [&](std::size_t point) {
-    if (const std::atomic_ref wide(isWide[zones[point]]); isOpen[point] && wide.load(std::memory_order_relaxed) == 0)
+  std::vector<char> isWide(zones.count(), 0);
+  const IndexRange& own = part.points();
+  context.executor.forEach(own.size(), grain, [&](std::size_t i) {
+    const std::size_t point = own.begin + i;
+    const std::atomic_ref wide(isWide[static_cast<std::size_t>(zones.ofPoint[point])]);
+    if (isOpen[point] && wide.load(std::memory_order_relaxed) == 0)
     {
       wide.store(1, std::memory_order_relaxed);
     }
   });
-  context.executor.forEach(count, grain,
-                           [&](std::size_t point) { zones[point] = isWide[zones[point]] ? zones[point] : noIndex; });
-  return zones;
+  isWide = anyOfAll(part.exchange(), std::move(isWide));
+  std::vector<Index> out(zones.ofPoint.size());
+  context.executor.forEach(out.size(), grain, [&](std::size_t point) {
+    const auto zone = static_cast<std::size_t>(zones.ofPoint[point]);
+    out[point] = zone >= isWide.size() ? zoneElsewhere : isWide[zone] ? static_cast<Index>(zone) : noIndex;
+  });
+  return out;
 }
 
 std::vector<Index> joiningPoints(const GridPlaces& grid, const Crossings& crossings, const std::vector<Index>& zones)

@@ -3,21 +3,17 @@
 #pragma once
 
 #include "Dual/Grid/Crossings.h"
-
-#include <functional>
+#include "Dual/Grid/GridPart.h"
 
 namespace atria {
 
-/// Returns a zone number per grid point. It is noIndex in zones so thin that surfaces cut the octants around all of
-/// their points, such as the pieces in which a coarse grid sees the space between two walls.
-std::vector<Index> wideZones(const GridPoints& points, const Crossings& crossings, const RunContext& context);
-
-/// Another way to find these; it returns `zoneElsewhere` for points of which nothing is known.
-using WideZoneFinder = std::function<std::vector<Index>(const GridPoints& points, const Crossings& crossings)>;
+/// Zone of points that a process does not know.
 inline constexpr Index zoneElsewhere = noIndex - 1;
 
-/// Marks the grid points around which surfaces cut no octant.
-std::vector<char> pointsInTheOpen(const GridPoints& points, const Crossings& crossings, const RunContext& context);
+/// Returns a zone number per grid point. It is noIndex in zones so thin that surfaces cut the octants around all of
+/// their points, such as the pieces in which a coarse grid sees the space between two walls.
+std::vector<Index> wideZones(const GridPoints& points, const Crossings& crossings, std::size_t surfaceCount,
+                             const GridPart& part, const RunContext& context);
 
 /// Returns the moved points through which separate zones meet, sorted. `zones` are those of the octree's own grid,
 /// `crossings` those of the moved one.

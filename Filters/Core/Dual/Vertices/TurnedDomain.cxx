@@ -134,19 +134,24 @@ Crossings markTurnedSides(Crossings crossings, std::size_t surfaceCount)
   return crossings;
 }
 
-std::vector<double> farthestFromSides(const Zones& zones, const GridPlaces& grid, Index begin, Index end)
+std::vector<double> farthestFromSides(const Zones& zones, const GridPlaces& grid, const GridPart& part)
 {
   const GridFrame& frame = grid.octree().frame();
+  if (!frame.turnedDomain)
+  {
+    return {};
+  }
   const Placement relative = turnOf(frame);
   std::vector<double> farthest(zones.count(), 0.0);
-  for (Index point = begin; point < end; ++point)
+  for (Index point = part.points().begin; point < part.points().end; ++point)
   {
     const Vec3 p = relative.fromModel(frame.toModel(grid.place(point)));
     const double beyond = frame.turnedDomain->beyond(p.head<2>());
     double& known = farthest[zones.ofPoint[point]];
     known = std::abs(beyond) > std::abs(known) ? beyond : known;
   }
-  return farthest;
+  return addAll(part.exchange(), std::move(farthest),
+                [](double more, double& known) { known = std::abs(more) > std::abs(known) ? more : known; });
 }
 
 Vec3 onTurnedSides(const Vec3& position, SideBits sides, const GridFrame& frame)

@@ -12,9 +12,8 @@ namespace atria {
 Crossings markTurnedSides(Crossings crossings, std::size_t surfaceCount);
 
 /// Returns per zone how far the point farthest from the turned sides is beyond them, negative inside. The sides
-/// separate zones, so each lies wholly inside or beyond. Only points from `begin` up to `end` count; 0 for zones that
-/// have none of these.
-std::vector<double> farthestFromSides(const Zones& zones, const GridPlaces& grid, Index begin, Index end);
+/// separate zones, so each lies wholly inside or beyond. Empty if the domain is not turned.
+std::vector<double> farthestFromSides(const Zones& zones, const GridPlaces& grid, const GridPart& part);
 
 /// Puts the vertices where faces of two turned sides meet on the domain's upright edges. An edge may lie in octants of
 /// which no corner is inside the domain; without this the mesh would cut it off there. O(n log n) in boundary faces.

@@ -2,8 +2,11 @@
 #include "Dual/Zones/CellZones.h"
 
 #include "Support/Error.h"
+#include "Support/Sorting.h"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 
 namespace atria {
 
@@ -20,49 +23,100 @@ std::vector<Index> cellZonesOf(const SurfaceModel& model)
   return zones;
 }
 
-void failOpenCellZone(const std::string& surface)
+namespace {
+
+/// A point of another process within a surface's bounds: the part that sees it, the depth from there, and whether it is
+/// sure, as in DepthLink.
+struct SeenDepth
 {
-  throw Error("surface '" + surface +
-              "' is to enclose a cell zone, but it is not closed: close its holes, or leave it out");
+  Index part;
+  int depth;
+  bool isSure;
+};
+
+const PointDepth& depthAt(Index point, const SurfaceDepths& depths)
+{
+  const auto found = std::ranges::lower_bound(depths.points, point, {}, &PointDepth::point);
+  if (found == depths.points.end() || found->point != point)
+  {
+    throw RanksDisagree("a grid point within the bounds of a cell zone is not known to its owner");
+  }
+  return *found;
 }
 
-bool fillCellZone(Index surface, const SurfaceDepths& depths, std::span<const int> outside, Index first,
-                  std::vector<std::int32_t>& zoneOf)
+/// Returns the links between the parts of all processes, which are numbered one process after the other. Those of this
+/// process begin at `first`.
+std::vector<DepthLink> joinLinks(const SurfaceDepths& depths, Index first, const GridPart& part)
 {
-  bool any = false;
+  std::vector<DepthLink> own;
+  for (const DepthLink& link : depths.links)
+  {
+    own.push_back({first + link.part, first + link.other, link.depth, link.isSure});
+  }
+  std::vector<AtPoint<SeenDepth>> seen;
+  for (const auto& [joint, isSure] : depths.joints)
+  {
+    seen.push_back({joint.point, {first + joint.part, joint.depth, isSure}});
+  }
+  for (const auto& [point, from] : part.send(seen))
+  {
+    const PointDepth& at = depthAt(point, depths);
+    own.push_back({from.part, first + at.part, at.depth - from.depth, from.isSure});
+  }
+  sortUnique(own);
+  return joinAll(part.exchange(), std::move(own));
+}
+
+/// Gives own points that a surface encloses its number, unless they have one. Returns false, in all processes, if the
+/// surface is not closed.
+bool fillZone(Index surface, const SurfaceDepths& depths, const GridPart& part, std::vector<std::int32_t>& zoneOf)
+{
+  RankExchange& exchange = part.exchange();
+  const std::vector<std::size_t> counts = gatherAll(exchange, depths.parts.size());
+  const auto first =
+      static_cast<Index>(std::accumulate(counts.begin(), counts.begin() + exchange.rank(), std::size_t{0}));
+  const std::optional<std::vector<int>> outside =
+      depthsOutside(joinAll(exchange, depths.parts), joinLinks(depths, first, part));
+  if (isAnywhere(!depths.isClosed || !outside, exchange))
+  {
+    return false;
+  }
+  bool encloses = false;
   for (const PointDepth& at : depths.points)
   {
-    if (at.depth > outside[at.part])
+    if (at.depth > (*outside)[first + at.part])
     {
-      std::int32_t& zone = zoneOf[at.point - first];
+      std::int32_t& zone = zoneOf[at.point];
       zone = zone == noCellZone ? static_cast<std::int32_t>(surface) : zone;
-      any = true;
+      encloses = true;
     }
   }
-  return any;
+  return isAnywhere(encloses, exchange) || !isAnywhere(depths.isMet, exchange);
 }
 
-std::vector<std::int32_t> findCellZones(const Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model,
-                                        const RunContext& context)
+} // namespace
+
+std::vector<std::int32_t> findCellZones(const Crossings& crossings, const GridPlaces& grid, const GridPart& part,
+                                        const SurfaceModel& model, const RunContext& context)
 {
   const std::vector<Index> zones = cellZonesOf(model);
   if (zones.empty())
   {
     return {};
   }
-  const auto count = static_cast<Index>(crossings.neighbors.size());
-  std::vector<std::int32_t> zoneOf(count, noCellZone);
-  const DepthFinder finder(crossings, grid, model, 0, count);
+  std::vector<std::int32_t> zoneOf(crossings.neighbors.size(), noCellZone);
+  const DepthFinder finder(crossings, grid, model, part.points().begin, part.points().end);
   for (const Index surface : zones)
   {
     context.progress.check();
     const SurfaceDepths depths = finder.find(surface);
-    const auto outside = depths.isClosed ? depthsOutside(depths.parts, depths.links) : std::nullopt;
-    if (!outside || (!fillCellZone(surface, depths, *outside, 0, zoneOf) && depths.isMet))
+    if (!fillZone(surface, depths, part, zoneOf))
     {
-      failOpenCellZone(model.names[surface]);
+      throw Error("surface '" + model.names[surface] +
+                  "' is to enclose a cell zone, but it is not closed: close its holes, or leave it out");
     }
   }
+  part.refresh(zoneOf, noCellZone);
   return zoneOf;
 }
 

@@ -2,6 +2,7 @@
 /// Finds the grid points that closed surfaces of kind `cellZone` enclose.
 #pragma once
 
+#include "Dual/Grid/GridPart.h"
 #include "Dual/Zones/SurfaceDepths.h"
 #include "Support/RunContext.h"
 
@@ -17,16 +18,8 @@ std::vector<Index> cellZonesOf(const SurfaceModel& model);
 
 /// Returns per grid point the surface of kind SurfaceKind::cellZone that encloses it, the first if there are several,
 /// or noCellZone. Empty if no surface is of that kind. Throws Error for a surface that is not closed.
-std::vector<std::int32_t> findCellZones(const Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model,
-                                        const RunContext& context);
-
-/// Gives the points that a surface encloses its number, unless they have one. `zoneOf` has one entry per point from
-/// `first` on; `outside` has the depth of what is not enclosed per part. Returns true if there are any such points.
-bool fillCellZone(Index surface, const SurfaceDepths& depths, std::span<const int> outside, Index first,
-                  std::vector<std::int32_t>& zoneOf);
-
-/// Throws Error for a surface that is not closed.
-[[noreturn]] void failOpenCellZone(const std::string& surface);
+std::vector<std::int32_t> findCellZones(const Crossings& crossings, const GridPlaces& grid, const GridPart& part,
+                                        const SurfaceModel& model, const RunContext& context);
 
 /// A warning for each cell zone of the model that holds no element; `isMet` is by surface.
 std::vector<std::string> warningsOfEmptyCellZones(const std::vector<char>& isMet, const SurfaceModel& model);

@@ -5,6 +5,7 @@
 #include "Surface/Search/Distance.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace atria {
 
@@ -17,13 +18,37 @@ constexpr double sameDistance = 0.3;
 /// In octants, half of a diagonal: how far the dual face of an edge that passes a gap reaches along it.
 constexpr double dualFaceReach = 0.87;
 
-/// Finds the steps of boundary edges that are gaps.
+/// A step along a boundary edge, of as many as the edge has, and the gap there.
+struct CrackStep
+{
+  enum Kind : std::uint8_t
+  {
+    none,
+    closed,
+    open
+  };
+
+  Kind kind = none;
+  Index edge = noIndex;
+  Index place = 0;
+  Index count = 1;
+  /// Half way across the gap.
+  Vec3 begin = Vec3::Zero();
+  Vec3 end = Vec3::Zero();
+  double width = 0.0;
+  double octantSize = 0.0;
+  Index point = noIndex;
+
+  double length() const { return (end - begin).norm(); }
+};
+
+/// Finds the steps of boundary edges that are gaps and have their middle in an own leaf.
 class StepFinder
 {
 public:
   StepFinder(const BoundaryGaps& g, const Zones& z, const std::vector<char>& k, const GridPlaces& places,
-             const std::function<bool(Index leaf)>& seen)
-      : gaps(g), zones(z), kept(k), grid(places), isSeen(seen), frame(places.octree().frame())
+             const GridPart& own)
+      : gaps(g), zones(z), kept(k), grid(places), part(own), frame(places.octree().frame())
   {
   }
 
@@ -76,7 +101,7 @@ private:
 
   Index keptCorner(Index leaf) const
   {
-    if (!isSeen(leaf))
+    if (!part.leaves().contains(leaf))
     {
       return noIndex;
     }
@@ -90,7 +115,7 @@ private:
   const Zones& zones;
   const std::vector<char>& kept;
   const GridPlaces& grid;
-  const std::function<bool(Index leaf)>& isSeen;
+  const GridPart& part;
   const GridFrame& frame;
 };
 
@@ -246,14 +271,11 @@ private:
   std::vector<std::vector<Vec3>> lines;
 };
 
-} // namespace
-
-std::vector<CrackStep> findCrackSteps(const BoundaryGaps& gaps, const Zones& zones, const std::vector<char>& kept,
-                                      const Crossings& crossings, const GridPlaces& grid,
-                                      const std::function<bool(Index leaf)>& isSeen, const MeshingContext& context)
+/// Returns the steps that are gaps in zones that are kept.
+std::vector<CrackStep> findSteps(const BoundaryGaps& gaps, const StepFinder& finder, const Crossings& crossings,
+                                 const GridPlaces& grid, const MeshingContext& context)
 {
   std::vector<std::vector<CrackStep>> stepsOfEdge(gaps.stations.size());
-  const StepFinder finder(gaps, zones, kept, grid, isSeen);
   forBoundaryEdges(gaps, crossings, grid, context,
                    [&](Index edge, PassageFinder& passages) { stepsOfEdge[edge] = finder.stepsOf(edge, passages); });
   std::vector<CrackStep> steps;
@@ -264,7 +286,8 @@ std::vector<CrackStep> findCrackSteps(const BoundaryGaps& gaps, const Zones& zon
   return steps;
 }
 
-std::vector<Crack> joinCracks(const BoundaryEdges& boundary, const std::vector<CrackStep>& steps)
+/// Joins steps, which may be in any order, to cracks. Points are those of the steps.
+std::vector<Crack> joinSteps(const BoundaryEdges& boundary, const std::vector<CrackStep>& steps)
 {
   std::vector<std::vector<CrackStep>> stepsOfEdge(boundary.edges().size(), std::vector<CrackStep>(1));
   for (const CrackStep& step : steps)
@@ -282,24 +305,51 @@ std::vector<Crack> joinCracks(const BoundaryEdges& boundary, const std::vector<C
   });
   std::vector<Crack> cracks;
   std::array<ToldCracks, 2> told;
-  for (LongCrack& part : found)
+  for (LongCrack& chain : found)
   {
-    ToldCracks& alike = told[part.crack.open ? 1 : 0];
-    if (!alike.covers(part))
+    ToldCracks& alike = told[chain.crack.open ? 1 : 0];
+    if (!alike.covers(chain))
     {
-      straighten(part);
-      alike.add(part.crack.path);
-      cracks.push_back(std::move(part.crack));
+      straighten(chain);
+      alike.add(chain.crack.path);
+      cracks.push_back(std::move(chain.crack));
     }
   }
   return cracks;
 }
 
+} // namespace
+
 std::vector<Crack> findCracks(const BoundaryGaps& gaps, const Zones& zones, const std::vector<char>& kept,
-                              const Crossings& crossings, const GridPlaces& grid, const MeshingContext& context)
+                              const Crossings& crossings, const GridPlaces& grid, const GridPart& part,
+                              const MeshingContext& context)
 {
-  const auto anywhere = [](Index) { return true; };
-  return joinCracks(gaps.boundary, findCrackSteps(gaps, zones, kept, crossings, grid, anywhere, context));
+  std::vector<CrackStep> steps = findSteps(gaps, StepFinder(gaps, zones, kept, grid, part), crossings, grid, context);
+  std::vector<Index> points(steps.size());
+  std::ranges::transform(steps, points.begin(), &CrackStep::point);
+  // Until the owner of its point is asked, a step is known by its number among those of all processes.
+  const std::vector<std::size_t> counts = gatherAll(part.exchange(), steps.size());
+  const auto first =
+      static_cast<Index>(std::accumulate(counts.begin(), counts.begin() + part.exchange().rank(), std::size_t{0}));
+  for (Index i = 0; i < steps.size(); ++i)
+  {
+    steps[i].point = first + i;
+  }
+  std::vector<Crack> cracks = joinSteps(gaps.boundary, joinAll(part.exchange(), std::move(steps)));
+  std::vector<AtPoint<Index>> own;
+  for (Index i = 0; i < cracks.size(); ++i)
+  {
+    const Index step = std::exchange(cracks[i].point, noIndex);
+    if (step >= first && step - first < points.size())
+    {
+      own.push_back({points[step - first], i});
+    }
+  }
+  for (const auto& [point, crack] : part.send(own))
+  {
+    cracks[crack].point = point;
+  }
+  return cracks;
 }
 
 } // namespace atria

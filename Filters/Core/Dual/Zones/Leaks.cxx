@@ -313,22 +313,34 @@ Leak leakFrom(Index start, const Clearance& clearance, const Crossings& crossing
   return leak;
 }
 
-} // namespace
-
+/// True if a zone reaches an open side of the domain other than its bottom.
 bool isLeaking(std::int32_t zone, const Zones& zones)
 {
   return (zones.openSides[static_cast<std::size_t>(zone)] & ~(SideBits{1} << zMin)) != 0;
 }
 
+} // namespace
+
 std::vector<Leak> findLeaks(const std::vector<Vec3>& sealedSeeds, const Zones& zones, const Crossings& crossings,
-                            const GridPlaces& grid, const SurfaceModel& model, const RunContext& context)
+                            const GridPlaces& grid, const GridPart& part, const SurfaceModel& model,
+                            const RunContext& context)
 {
+  constexpr const char* kind = "sealed seed";
+  const std::vector<std::int32_t> zonesOfAll = zonesOfSeeds(zones, sealedSeeds, grid, part, model, kind);
+  if (std::ranges::none_of(zonesOfAll, [&](std::int32_t zone) { return isLeaking(zone, zones); }))
+  {
+    return {};
+  }
+  if (!part.isWhole())
+  {
+    throw WholeNeeded("the zone of a sealed seed leaks; one process has to search the way");
+  }
   std::vector<Leak> leaks;
   std::optional<Clearance> clearance;
   std::int32_t measured = -1;
   for (std::size_t i = 0; i < sealedSeeds.size(); ++i)
   {
-    const Index start = pointOfSeed(sealedSeeds[i], "sealed seed", grid, model);
+    const Index start = pointOfSeed(sealedSeeds[i], kind, grid, model);
     const std::int32_t zone = zones.ofPoint[start];
     if (!isLeaking(zone, zones))
     {

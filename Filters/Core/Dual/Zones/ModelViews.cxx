@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/Zones/ModelViews.h"
 
+#include "Support/UnionFind.h"
 #include "Surface/Triangles/EachEdge.h"
 
 #include <algorithm>
@@ -20,8 +21,8 @@ class ViewFinder
 {
 public:
   ViewFinder(const Crossings& c, const GridPlaces& g, const Zones& z, const std::vector<View>& o, const SurfaceModel& m,
-             const ViewShare& s, const RunContext& r)
-      : crossings(c), grid(g), zones(z), ofZone(o), model(m), share(s), context(r)
+             const GridPart& p, const RunContext& r)
+      : crossings(c), grid(g), zones(z), ofZone(o), model(m), part(p), context(r)
   {
   }
 
@@ -45,12 +46,10 @@ public:
 private:
   View viewAt(Index point) const { return atria::viewAt(point, zones, ofZone); }
 
-  bool isOwn(Index point) const { return point >= share.begin && point < share.end; }
-
   template <typename Visit> void eachOwnEdge(Visit&& visit) const
   {
     context.executor.forEach(crossings.crossedEdges.size(), 2048, [&](std::size_t e) {
-      if (isOwn(crossings.crossedEdges[e].point))
+      if (part.owns(crossings.crossedEdges[e].point))
       {
         visit(crossings.crossedEdges[e]);
       }
@@ -72,7 +71,7 @@ private:
     EdgeProbe probe(grid.octree(), model);
     for (const BoundaryFace& face : crossings.boundaryFaces)
     {
-      if (!face.onDomainSide || face.tag >= model.names.size() || !isOwn(face.element))
+      if (!face.onDomainSide || face.tag >= model.names.size() || !part.owns(face.element))
       {
         continue;
       }
@@ -144,10 +143,12 @@ private:
   /// Gives sides without a view that of most votes, of equally many the first. Returns whether there was any.
   bool decide()
   {
-    if (share.exchange)
-    {
-      votes = sumOfRanks();
-    }
+    votes = addAll(part.exchange(), std::move(votes), [](const Votes& more, Votes& sum) {
+      for (std::size_t i = 0; i < 2 * viewCount; ++i)
+      {
+        sum[i / viewCount][i % viewCount] += more[i / viewCount][i % viewCount];
+      }
+    });
     bool any = false;
     for (std::size_t piece = 0; piece < votes.size(); ++piece)
     {
@@ -166,28 +167,12 @@ private:
     return any;
   }
 
-  std::vector<Votes> sumOfRanks() const
-  {
-    std::vector<Votes> sums(votes.size());
-    for (const std::vector<Votes>& some : gatherAll(*share.exchange, votes))
-    {
-      for (std::size_t piece = 0; piece < sums.size(); ++piece)
-      {
-        for (std::size_t i = 0; i < 2 * viewCount; ++i)
-        {
-          sums[piece][i / viewCount][i % viewCount] += some[piece][i / viewCount][i % viewCount];
-        }
-      }
-    }
-    return sums;
-  }
-
   const Crossings& crossings;
   const GridPlaces& grid;
   const Zones& zones;
   const std::vector<View>& ofZone;
   const SurfaceModel& model;
-  const ViewShare& share;
+  const GridPart& part;
   const RunContext& context;
   std::vector<Index> pieceOf;
   std::vector<TriangleViews> views; ///< one per piece
@@ -248,13 +233,13 @@ std::vector<View> viewsOfZones(const std::vector<ZoneSummary>& zones)
 
 std::vector<TriangleViews> findModelViews(const Crossings& crossings, const GridPlaces& grid, const Zones& zones,
                                           const std::vector<View>& ofZone, const SurfaceModel& model,
-                                          const ViewShare& share, const RunContext& context)
+                                          const GridPart& part, const RunContext& context)
 {
-  return ViewFinder(crossings, grid, zones, ofZone, model, share, context).run();
+  return ViewFinder(crossings, grid, zones, ofZone, model, part, context).run();
 }
 
 std::vector<float> findAirParts(const Crossings& crossings, const Zones& zones, const std::vector<View>& ofZone,
-                                const SurfaceModel& model, const ViewShare& share, const RunContext& context)
+                                const SurfaceModel& model, const GridPart& part, const RunContext& context)
 {
   constexpr std::uint32_t fewest = 3; // edges needed to decide
   constexpr float nearlyAll = 0.75F;  // an edge may cut two walls that meet
@@ -266,7 +251,7 @@ std::vector<float> findAirParts(const Crossings& crossings, const Zones& zones, 
   };
   context.executor.forEach(crossings.crossedEdges.size(), 2048, [&](std::size_t e) {
     const CrossedEdge& edge = crossings.crossedEdges[e];
-    if (edge.point < share.begin || edge.point >= share.end)
+    if (!part.owns(edge.point))
     {
       return;
     }
@@ -282,16 +267,13 @@ std::vector<float> findAirParts(const Crossings& crossings, const Zones& zones, 
       }
     }
   });
-  if (share.exchange)
-  {
-    cut = sumOverRanks(*share.exchange, cut);
-    aired = sumOverRanks(*share.exchange, aired);
-  }
+  cut = sumAll(part.exchange(), std::move(cut));
+  aired = sumAll(part.exchange(), std::move(aired));
   std::vector<float> parts(cut.size(), 1.0F);
   for (std::size_t t = 0; t < parts.size(); ++t)
   {
-    const float part = cut[t] < fewest ? 1.0F : static_cast<float>(aired[t]) / static_cast<float>(cut[t]);
-    parts[t] = part < nearlyAll ? part : 1.0F;
+    const float seen = cut[t] < fewest ? 1.0F : static_cast<float>(aired[t]) / static_cast<float>(cut[t]);
+    parts[t] = seen < nearlyAll ? seen : 1.0F;
   }
   return parts;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "Dual/Zones/ZoneSummary.h"
-#include "Support/RankExchange.h"
 
 namespace atria {
 
@@ -26,14 +25,6 @@ using TriangleViews = std::array<View, 2>;
 /// Returns the view that triangles have of each zone beside them.
 std::vector<View> viewsOfZones(const std::vector<ZoneSummary>& zones);
 
-/// The grid points [begin, end) whose edges a process counts, and the ranks it shares the grid with, if any.
-struct ViewShare
-{
-  Index begin;
-  Index end;
-  RankExchange* exchange = nullptr;
-};
-
 /// Returns, by triangle, the number of the piece of the model that it belongs to, and sets their count. Triangles of a
 /// piece are joined across edges that no third one has, and are wound alike.
 std::vector<Index> piecesBetweenEdges(const SurfaceModel& model, Index& count, const Executor& executor);
@@ -49,18 +40,18 @@ inline View viewAt(Index point, const Zones& zones, const std::vector<View>& ofZ
 ///
 /// The triangles of a piece see the same, as the repair cuts triangles wherever others pass through. The edges of the
 /// grid that cut such a piece vote: the first triangle on an edge sees the zone of its first point, the last one that
-/// of its other point, and neighbors between them see each other's zone. The majority decides. The result depends
-/// neither on threads nor on ranks. O(triangles · log triangles + crossings).
+/// of its other point, and neighbors between them see each other's zone. The majority decides. The result does not
+/// depend on threads. O(triangles · log triangles + crossings).
 /// \param zones  The zones of `crossings`.
 /// \param ofZone  One view per zone; zones beyond its end are `nothing`.
 std::vector<TriangleViews> findModelViews(const Crossings& crossings, const GridPlaces& grid, const Zones& zones,
                                           const std::vector<View>& ofZone, const SurfaceModel& model,
-                                          const ViewShare& share, const RunContext& context);
+                                          const GridPart& part, const RunContext& context);
 
 /// Returns, by triangle, the part of the edges of the grid through it that see air: 1 where nearly all of them do, or
 /// where too few of them cut it to decide. In the rest air is behind another surface that is nearer than the next point
 /// of the grid, as between walls with a thin gap.
 std::vector<float> findAirParts(const Crossings& crossings, const Zones& zones, const std::vector<View>& ofZone,
-                                const SurfaceModel& model, const ViewShare& share, const RunContext& context);
+                                const SurfaceModel& model, const GridPart& part, const RunContext& context);
 
 } // namespace atria

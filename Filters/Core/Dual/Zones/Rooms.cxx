@@ -1,45 +1,173 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/Zones/Rooms.h"
 
+#include "Support/UnionFind.h"
+
 #include <algorithm>
+#include <map>
 #include <tuple>
 
 namespace atria {
 
 namespace {
 
-constexpr std::uint8_t bitOf(int direction) { return static_cast<std::uint8_t>(1u << direction); }
-
-struct Parts
+/// Facts about a part that face zones divide zones into, or about some points of it.
+struct RoomPart
 {
-  std::vector<Index> ofPoint;
-  std::size_t count = 0;
+  std::size_t size = 0;
+  bool isWide = false;    ///< has a point that is not at the border
+  bool isOutside = false; ///< reaches a bare side of the domain but the bottom
+  bool isInRoom = false;  ///< is kept, and not the inside of a solid
+
+  void add(const RoomPart& other)
+  {
+    size += other.size;
+    isWide = isWide || other.isWide;
+    isOutside = isOutside || other.isOutside;
+    isInRoom = isInRoom || other.isInRoom;
+  }
 };
 
-Parts findParts(const PartedPoints& points, std::size_t pointCount, const RunContext& context)
+/// Number of faces of face zones between two parts, by pair of parts.
+using PartBorders = std::map<std::pair<Index, Index>, std::size_t>;
+
+/// Rooms of parts, which are in the order of their first points.
+struct PartedRooms
 {
-  UnionFind sets(pointCount);
-  for (Index point = 0; point < pointCount; ++point)
+  std::vector<std::int32_t> ofPart;
+  std::size_t count = 0;
+  bool hasOutside = false;
+  /// Parts that are no rooms of their own and those they were joined with, either way; sorted.
+  std::vector<std::pair<Index, Index>> narrow;
+};
+
+constexpr std::uint8_t bitOf(int direction) { return static_cast<std::uint8_t>(1u << direction); }
+
+/// Grid points as face zones part them.
+class PartedPoints
+{
+public:
+  PartedPoints(const Crossings& found, const std::vector<ZoneFace>& zoneFaces, const SurfaceModel& surfaces)
+      : crossings(found), model(surfaces), blocked(found.neighbors.size(), 0)
   {
-    if (point % 65536 == 0)
+    for (const ZoneFace& face : zoneFaces)
     {
-      context.progress.check();
-    }
-    for (int direction = 1; direction < 6; direction += 2)
-    {
-      if (const Index other = points.nextTo(point, direction); other != noIndex)
+      if (model.kinds[face.tag] == SurfaceKind::faceZone)
       {
-        sets.join(point, other);
+        const auto other = static_cast<Index>(crossings.neighbors[face.element][face.direction]);
+        blocked[face.element] |= bitOf(face.direction);
+        blocked[other] |= bitOf(opposite(face.direction));
+        between.emplace_back(face.element, other);
       }
     }
   }
-  Parts parts{std::vector<Index>(pointCount)};
-  for (Index point = 0; point < pointCount; ++point)
+
+  /// The neighbor in a direction, if nothing is between; noIndex otherwise.
+  Index nextTo(Index point, int direction) const
   {
-    const Index root = sets.find(point); // the smallest of its set, so numbered before
-    parts.ofPoint[point] = root == point ? static_cast<Index>(parts.count++) : parts.ofPoint[root];
+    const std::int32_t code = crossings.neighbors[point][direction];
+    return code >= 0 && (blocked[point] & bitOf(direction)) == 0 ? static_cast<Index>(code) : noIndex;
   }
-  return parts;
+
+  /// Returns the sets of own points that are joined to each other.
+  PointSets setsOfOwn(const IndexRange& own, const RunContext& context) const
+  {
+    UnionFind joined(own.size());
+    for (Index i = 0; i < own.size(); ++i)
+    {
+      if (i % 65536 == 0)
+      {
+        context.progress.check();
+      }
+      for (int direction = 1; direction < 6; direction += 2)
+      {
+        if (const Index other = nextTo(own.begin + i, direction); other != noIndex && own.contains(other))
+        {
+          joined.join(i, other - own.begin);
+        }
+      }
+    }
+    PointSets sets{std::vector<Index>(own.size())};
+    for (Index i = 0; i < own.size(); ++i)
+    {
+      const Index root = joined.find(i); // the smallest of its set, so numbered before
+      sets.ofOwn[i] = root == i ? sets.count++ : sets.ofOwn[root];
+    }
+    return sets;
+  }
+
+  /// Returns the facts about sets of own points.
+  std::vector<RoomPart> describe(const PointSets& sets, const IndexRange& own, const Zones& zones,
+                                 const std::vector<ZoneSummary>& summaries, const RoomOptions& options) const
+  {
+    std::vector<RoomPart> parts(sets.count);
+    for (Index i = 0; i < own.size(); ++i)
+    {
+      RoomPart& part = parts[sets.ofOwn[i]];
+      const ZoneSummary& zone = summaries[static_cast<std::size_t>(zones.ofPoint[own.begin + i])];
+      ++part.size;
+      part.isInRoom = zone.kept && zone.kind != ZoneKind::solid;
+      part.isWide = part.isWide || isWide(own.begin + i);
+    }
+    const std::size_t surfaces = model.names.size();
+    for (const BoundaryFace& face : crossings.boundaryFaces)
+    {
+      const bool isBare = face.onDomainSide && face.tag >= surfaces && face.tag - surfaces != zMin;
+      if (!options.sidesAreWalls && isBare && own.contains(face.element))
+      {
+        parts[sets.ofOwn[face.element - own.begin]].isOutside = true;
+      }
+    }
+    return parts;
+  }
+
+  /// Counts the faces between parts that belong to own points. `partOf` is by grid point.
+  PartBorders borders(const IndexRange& own, const std::vector<std::int32_t>& partOf) const
+  {
+    PartBorders borders;
+    for (const auto& [a, b] : between)
+    {
+      if (own.contains(a))
+      {
+        ++borders[{static_cast<Index>(partOf[a]), static_cast<Index>(partOf[b])}];
+      }
+    }
+    return borders;
+  }
+
+private:
+  bool isWide(Index point) const
+  {
+    return nextTo(point, 0) != noIndex && nextTo(point, 1) != noIndex && nextTo(point, 2) != noIndex &&
+           nextTo(point, 3) != noIndex && nextTo(point, 4) != noIndex && nextTo(point, 5) != noIndex;
+  }
+
+  const Crossings& crossings;
+  const SurfaceModel& model;
+  /// One entry per grid point, with a bit for each direction in which a face of a face zone is.
+  std::vector<std::uint8_t> blocked;
+  std::vector<std::pair<Index, Index>> between;
+};
+
+PartBorders addBorders(const PartBorders& own, RankExchange& exchange)
+{
+  struct Entry
+  {
+    Index part;
+    Index other;
+    std::size_t faces;
+  };
+  std::vector<Entry> entries;
+  for (const auto& [sides, faces] : own)
+  {
+    entries.push_back({sides.first, sides.second, faces});
+  }
+  PartBorders all;
+  for (const Entry& entry : joinAll(exchange, std::move(entries)))
+  {
+    all[{entry.part, entry.other}] += entry.faces;
+  }
+  return all;
 }
 
 class PartJoiner
@@ -135,101 +263,25 @@ private:
   PartedRooms out;
 };
 
-} // namespace
-
-void RoomPart::add(const RoomPart& other)
-{
-  size += other.size;
-  isWide = isWide || other.isWide;
-  isOutside = isOutside || other.isOutside;
-  isInRoom = isInRoom || other.isInRoom;
-}
-
-PartedPoints::PartedPoints(const Crossings& found, const std::vector<ZoneFace>& zoneFaces, const SurfaceModel& surfaces)
-    : crossings(found), model(surfaces), blocked(found.neighbors.size(), 0)
-{
-  for (const ZoneFace& face : zoneFaces)
-  {
-    if (model.kinds[face.tag] == SurfaceKind::faceZone)
-    {
-      const auto other = static_cast<Index>(crossings.neighbors[face.element][face.direction]);
-      blocked[face.element] |= bitOf(face.direction);
-      blocked[other] |= bitOf(opposite(face.direction));
-      between.emplace_back(face.element, other);
-    }
-  }
-}
-
-Index PartedPoints::nextTo(Index point, int direction) const
-{
-  const std::int32_t code = crossings.neighbors[point][direction];
-  return code >= 0 && (blocked[point] & bitOf(direction)) == 0 ? static_cast<Index>(code) : noIndex;
-}
-
-bool PartedPoints::isWide(Index point) const
-{
-  return nextTo(point, 0) != noIndex && nextTo(point, 1) != noIndex && nextTo(point, 2) != noIndex &&
-         nextTo(point, 3) != noIndex && nextTo(point, 4) != noIndex && nextTo(point, 5) != noIndex;
-}
-
-std::vector<RoomPart> PartedPoints::describe(Index first, std::span<const Index> partOf, std::size_t partCount,
-                                             const Zones& zones, const std::vector<ZoneSummary>& summaries,
-                                             const RoomOptions& options) const
-{
-  std::vector<RoomPart> parts(partCount);
-  for (Index i = 0; i < partOf.size(); ++i)
-  {
-    RoomPart& part = parts[partOf[i]];
-    const ZoneSummary& zone = summaries[static_cast<std::size_t>(zones.ofPoint[first + i])];
-    ++part.size;
-    part.isInRoom = zone.kept && zone.kind != ZoneKind::solid;
-    part.isWide = part.isWide || isWide(first + i);
-  }
-  const std::size_t surfaces = model.names.size();
-  for (const BoundaryFace& face : crossings.boundaryFaces)
-  {
-    const bool isBare = face.onDomainSide && face.tag >= surfaces && face.tag - surfaces != zMin;
-    if (!options.sidesAreWalls && isBare && face.element >= first && face.element - first < partOf.size())
-    {
-      parts[partOf[face.element - first]].isOutside = true;
-    }
-  }
-  return parts;
-}
-
-PartBorders PartedPoints::borders(Index first, Index end, std::span<const Index> partOf) const
-{
-  PartBorders borders;
-  for (const auto& [a, b] : between)
-  {
-    if (a >= first && a < end)
-    {
-      ++borders[{partOf[a], partOf[b]}];
-    }
-  }
-  return borders;
-}
-
-PartedRooms joinParts(const std::vector<RoomPart>& parts, const PartBorders& borders)
-{
-  return PartJoiner(parts, borders).number();
-}
-
-Rooms roomsOf(const PartedRooms& rooms, std::span<const Index> partOf, const Crossings& crossings,
+/// Returns the rooms of points from those of their parts, and removes faces that lead nowhere.
+Rooms roomsOf(const PartedRooms& rooms, const std::vector<std::int32_t>& partOf, const Crossings& crossings,
               std::vector<ZoneFace>& zoneFaces, const SurfaceModel& model)
 {
   Rooms out{{}, rooms.count, rooms.hasOutside};
   out.ofPoint.resize(partOf.size());
-  std::ranges::transform(partOf, out.ofPoint.begin(),
-                         [&](Index part) { return part < rooms.ofPart.size() ? rooms.ofPart[part] : noRoom; });
+  std::ranges::transform(partOf, out.ofPoint.begin(), [&](std::int32_t part) {
+    return static_cast<std::size_t>(part) < rooms.ofPart.size() ? rooms.ofPart[static_cast<std::size_t>(part)] : noRoom;
+  });
   // Openings that lead to a narrow part of a room.
   std::erase_if(zoneFaces, [&](const ZoneFace& face) {
-    const std::pair sides{partOf[face.element],
-                          partOf[static_cast<Index>(crossings.neighbors[face.element][face.direction])]};
+    const auto other = static_cast<Index>(crossings.neighbors[face.element][face.direction]);
+    const std::pair sides{static_cast<Index>(partOf[face.element]), static_cast<Index>(partOf[other])};
     return model.wallOf(face.tag) != face.tag && std::ranges::binary_search(rooms.narrow, sides);
   });
   return out;
 }
+
+} // namespace
 
 bool hasRooms(const SurfaceModel& model)
 {
@@ -237,19 +289,30 @@ bool hasRooms(const SurfaceModel& model)
 }
 
 Rooms findRooms(const Zones& zones, const std::vector<ZoneSummary>& summaries, const Crossings& crossings,
-                std::vector<ZoneFace>& zoneFaces, const SurfaceModel& model, const RoomOptions& options,
-                const RunContext& context)
+                std::vector<ZoneFace>& zoneFaces, const GridPart& part, const SurfaceModel& model,
+                const RoomOptions& options, const RunContext& context)
 {
   if (!hasRooms(model))
   {
     return {};
   }
+  context.progress.check();
   const PartedPoints points(crossings, zoneFaces, model);
-  const auto count = static_cast<Index>(crossings.neighbors.size());
-  const Parts parts = findParts(points, count, context);
-  const PartedRooms rooms = joinParts(points.describe(0, parts.ofPoint, parts.count, zones, summaries, options),
-                                      points.borders(0, count, parts.ofPoint));
-  return roomsOf(rooms, parts.ofPoint, crossings, zoneFaces, model);
+  const IndexRange& own = part.points();
+  const PointSets sets = points.setsOfOwn(own, context);
+  const JoinedSets joined =
+      part.join(sets, [&](Index point, int direction) { return points.nextTo(point, direction); });
+  const std::vector<RoomPart> parts = part.sum(joined, points.describe(sets, own, zones, summaries, options),
+                                               [](const RoomPart& more, RoomPart& sum) { sum.add(more); });
+  const std::vector<Index>& ofSet = joined.ofSet[static_cast<std::size_t>(part.exchange().rank())];
+  std::vector<std::int32_t> partOf(crossings.neighbors.size());
+  for (Index i = 0; i < own.size(); ++i)
+  {
+    partOf[own.begin + i] = static_cast<std::int32_t>(ofSet[sets.ofOwn[i]]);
+  }
+  part.refresh(partOf, static_cast<std::int32_t>(joined.count));
+  const PartBorders borders = addBorders(points.borders(own, partOf), part.exchange());
+  return roomsOf(PartJoiner(parts, borders).number(), partOf, crossings, zoneFaces, model);
 }
 
 } // namespace atria

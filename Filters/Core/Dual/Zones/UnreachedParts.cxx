@@ -2,6 +2,7 @@
 #include "Dual/Zones/UnreachedParts.h"
 
 #include "Octree/Sizing/Refinement.h"
+#include "Support/UnionFind.h"
 #include "Surface/Model/FeatureGraph.h"
 #include "Surface/Search/Distance.h"
 #include "Surface/Triangles/EachEdge.h"
@@ -290,7 +291,7 @@ SurfaceModel withoutParts(const SurfaceModel& model, const std::vector<char>& is
 } // namespace
 
 UnreachedParts findUnreachedParts(const Crossings& crossings, const GridPlaces& grid, const Zones& zones,
-                                  const std::vector<View>& ofZone, const SolidPlaces& solids, const ViewShare& share,
+                                  const std::vector<View>& ofZone, const SolidPlaces& solids, const GridPart& part,
                                   const MeshingContext& context)
 {
   const SurfaceModel& model = context.model;
@@ -299,7 +300,7 @@ UnreachedParts findUnreachedParts(const Crossings& crossings, const GridPlaces& 
   {
     return out;
   }
-  out.views = findModelViews(crossings, grid, zones, ofZone, model, share, context);
+  out.views = findModelViews(crossings, grid, zones, ofZone, model, part, context);
   UnseenSides(context, solids, out.views).run();
   out.isUnreached.resize(model.triangles.size());
   for (Index t = 0; t < model.triangles.size(); ++t)

@@ -28,7 +28,7 @@ struct UnreachedParts
 /// \param crossings  Those of the octree's own grid: moves of grid points open no way into solids.
 /// \param ofZone     Views of zones, see viewsOfZones().
 UnreachedParts findUnreachedParts(const Crossings& crossings, const GridPlaces& grid, const Zones& zones,
-                                  const std::vector<View>& ofZone, const SolidPlaces& solids, const ViewShare& share,
+                                  const std::vector<View>& ofZone, const SolidPlaces& solids, const GridPart& part,
                                   const MeshingContext& context);
 
 /// A model without its unreached parts, the octree whose leaves hold it, and a tree to search it.

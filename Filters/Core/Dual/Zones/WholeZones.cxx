@@ -14,12 +14,12 @@ using ZonePair = std::array<std::int32_t, 2>;
 using ZonePairs = std::map<ZonePair, std::size_t>;
 
 /// Counts the points in each pair of zones, without those that were moved.
-ZonePairs countPairs(const WholeZones& whole, const Zones& zones, const GridPlaces& grid, const ViewShare& share)
+ZonePairs countPairs(const WholeZones& whole, const Zones& zones, const GridPlaces& grid, const GridPart& part)
 {
   ZonePairs counts;
   ZonePair last{-1, -1};
   std::size_t run = 0; // neighbors mostly are in the same zones
-  for (Index point = share.begin; point < share.end; ++point)
+  for (Index point = part.points().begin; point < part.points().end; ++point)
   {
     if (!grid.isDisplaced(point))
     {
@@ -39,7 +39,7 @@ ZonePairs countPairs(const WholeZones& whole, const Zones& zones, const GridPlac
   return counts;
 }
 
-ZonePairs sumOfRanks(const ZonePairs& own, RankExchange& exchange)
+ZonePairs addPairs(const ZonePairs& own, RankExchange& exchange)
 {
   struct Entry
   {
@@ -52,9 +52,9 @@ ZonePairs sumOfRanks(const ZonePairs& own, RankExchange& exchange)
     entries.push_back({pair, count});
   }
   ZonePairs sums;
-  for (const std::vector<Entry>& some : gatherAll(exchange, entries))
+  for (const Entry& entry : joinAll(exchange, std::move(entries)))
   {
-    std::ranges::for_each(some, [&](const Entry& entry) { sums[entry.pair] += entry.count; });
+    sums[entry.pair] += entry.count;
   }
   return sums;
 }
@@ -62,13 +62,9 @@ ZonePairs sumOfRanks(const ZonePairs& own, RankExchange& exchange)
 } // namespace
 
 std::vector<std::int32_t> keepAs(const WholeZones& whole, const Zones& zones, const GridPlaces& grid,
-                                 const ViewShare& share, std::vector<char>& kept, std::vector<ZoneSummary>& summaries)
+                                 const GridPart& part, std::vector<char>& kept, std::vector<ZoneSummary>& summaries)
 {
-  ZonePairs counts = countPairs(whole, zones, grid, share);
-  if (share.exchange)
-  {
-    counts = sumOfRanks(counts, *share.exchange);
-  }
+  const ZonePairs counts = addPairs(countPairs(whole, zones, grid, part), part.exchange());
   std::vector<std::int32_t> ofWhole(kept.size(), -1);
   std::vector<std::size_t> most(kept.size(), 0);
   std::vector<std::array<std::size_t, 2>> votes(kept.size(), {0, 0});

@@ -17,9 +17,9 @@ struct WholeZones
 
 /// Keeps each zone of the displaced grid if most of its points that were not moved are in zones that the whole keeps. A
 /// zone without such points stays as it is. Returns, by zone, the zone of the whole in which most of these points are;
-/// -1 for zones without any. The result is the same on all ranks.
+/// -1 for zones without any.
 std::vector<std::int32_t> keepAs(const WholeZones& whole, const Zones& zones, const GridPlaces& grid,
-                                 const ViewShare& share, std::vector<char>& kept, std::vector<ZoneSummary>& summaries);
+                                 const GridPart& part, std::vector<char>& kept, std::vector<ZoneSummary>& summaries);
 
 /// Lists the zones as the whole has them, those that are kept as they are now. Kept zones that the whole does not have
 /// follow. `ofWhole` is from keepAs(); `ofElement` gets the numbers in that list.

@@ -88,11 +88,11 @@ std::vector<RoomyPoint> roomiestOf(const Zones& zones, Index begin, Index end, c
 void findPlaces(const Zones& zones, const GridPlaces& grid, const GridPart& part, const RunContext& context,
                 ZoneFacts& facts)
 {
-  const Pieces pieces(part.endPoint - part.firstPoint);
+  const Pieces pieces(part.points().size());
   std::vector<std::vector<RoomyPoint>> found(pieces.count);
   context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
-    found[piece] = roomiestOf(zones, part.firstPoint + static_cast<Index>(pieces.begin(piece)),
-                              part.firstPoint + static_cast<Index>(pieces.end(piece)), grid);
+    found[piece] = roomiestOf(zones, part.points().begin + static_cast<Index>(pieces.begin(piece)),
+                              part.points().begin + static_cast<Index>(pieces.end(piece)), grid);
   });
   std::vector<Index> best(zones.count(), noIndex);
   for (const std::vector<RoomyPoint>& piece : found)
@@ -143,7 +143,7 @@ void lookAtFaces(const Zones& zones, const Crossings& crossings, std::size_t sur
 {
   for (const BoundaryFace& face : crossings.boundaryFaces)
   {
-    if (face.element < part.firstPoint || face.element >= part.endPoint)
+    if (!part.owns(face.element))
     {
       continue;
     }
@@ -174,7 +174,7 @@ void lookAtFaces(const Zones& zones, const Crossings& crossings, std::size_t sur
 
 void findWideZones(const Zones& zones, const Crossings& crossings, const GridPart& part, ZoneFacts& facts)
 {
-  for (Index point = part.firstPoint; point < part.endPoint; ++point)
+  for (Index point = part.points().begin; point < part.points().end; ++point)
   {
     bool& isWide = facts.zones[static_cast<std::size_t>(zones.ofPoint[point])].isWide;
     if (!isWide)
@@ -188,13 +188,13 @@ void findWideZones(const Zones& zones, const Crossings& crossings, const GridPar
 CountList cornersOf(const Zones& zones, const GridPlaces& grid, const GridPart& part, const RunContext& context)
 {
   const Octree& octree = grid.octree();
-  const Pieces pieces(part.endLeaf - part.firstLeaf);
+  const Pieces pieces(part.leaves().size());
   std::vector<CountList> found(pieces.count);
   context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
     CountList& list = found[piece];
     for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
     {
-      const Index leaf = part.firstLeaf + static_cast<Index>(i);
+      const Index leaf = part.leaves().begin + static_cast<Index>(i);
       const auto level = static_cast<Index>(octree.level(leaf));
       for (const Index point : grid.points().atCorner[leaf])
       {
@@ -236,6 +236,23 @@ void append(const ZoneFacts::Zone& more, ZoneFacts::Zone& zone)
   zone.seesBacksOfOne = zone.seesBacksOfOne && more.seesBacksOfOne && areSame;
   zone.surface = more.surface == noIndex ? zone.surface : more.surface;
   zone.faces.add(more.faces);
+}
+
+/// Joins the facts of all processes.
+ZoneFacts joinFacts(ZoneFacts own, RankExchange& exchange)
+{
+  if (exchange.ranks() == 1)
+  {
+    return own;
+  }
+  ZoneFacts all;
+  all.zones = addAll(exchange, std::move(own.zones),
+                     [](const ZoneFacts::Zone& more, ZoneFacts::Zone& zone) { append(more, zone); });
+  all.faces = joinAll(exchange, std::move(own.faces));
+  all.corners = joinAll(exchange, std::move(own.corners));
+  addUp(all.faces);
+  addUp(all.corners);
+  return all;
 }
 
 /// The part of the faces that a zone sees from the front up to which it is the inside of a solid, if no closed body
@@ -284,25 +301,7 @@ ZoneFacts findZoneFacts(const Zones& zones, const Crossings& crossings, const Gr
   context.progress.check();
   findWideZones(zones, crossings, part, facts);
   lookAtFaces(zones, crossings, surfaceCount, part, isGround, facts);
-  return facts;
-}
-
-void append(const ZoneFacts& more, ZoneFacts& facts)
-{
-  facts.zones.resize(std::max(facts.zones.size(), more.zones.size()));
-  for (std::size_t zone = 0; zone < more.zones.size(); ++zone)
-  {
-    append(more.zones[zone], facts.zones[zone]);
-  }
-  facts.corners.insert(facts.corners.end(), more.corners.begin(), more.corners.end());
-  addUp(facts.corners);
-  facts.faces.insert(facts.faces.end(), more.faces.begin(), more.faces.end());
-  addUp(facts.faces);
-}
-
-GridPart wholeOf(const GridPlaces& grid)
-{
-  return {0, static_cast<Index>(grid.points().size()), 0, static_cast<Index>(grid.octree().leafCount())};
+  return joinFacts(std::move(facts), part.exchange());
 }
 
 std::vector<double> zoneVolumes(const ZoneFacts& facts, std::size_t zoneCount, const GridFrame& frame)
@@ -352,8 +351,9 @@ std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<ch
 std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
                                         const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context)
 {
-  return summarizeZones(zones, kept, findZoneFacts(zones, crossings, grid, surfaceCount, wholeOf(grid), context), {},
-                        {}, grid.octree().frame());
+  const GridPart whole(grid.points());
+  return summarizeZones(zones, kept, findZoneFacts(zones, crossings, grid, surfaceCount, whole, context), {}, {},
+                        grid.octree().frame());
 }
 
 } // namespace atria

@@ -2,21 +2,12 @@
 /// Gathers facts about zones, kept or not, and summarizes them.
 #pragma once
 
+#include "Dual/Zones/ZoneReport.h"
 #include "Dual/Zones/Zones.h"
 
 #include <limits>
 
 namespace atria {
-
-enum class ZoneKind : std::uint8_t
-{
-  open,   ///< reaches a side of the domain other than the bottom, and is not the inside of a closed body
-  room,   ///< closed
-  solid,  ///< the inside of a solid: of a closed body, or a zone that sees backs of surfaces, as far as known
-  narrow, ///< closed, and all of its elements are at its border
-  beyond, ///< behind the sides of a domain that does not stand along the grid
-  ground  ///< not kept, reaches the bottom and other sides, and most of its faces are on ground: it is under it
-};
 
 /// Position of a zone relative to closed bodies of the model.
 enum class Enclosure : std::uint8_t
@@ -26,32 +17,7 @@ enum class Enclosure : std::uint8_t
   hollow ///< it is in a hollow of one
 };
 
-struct ZoneSummary
-{
-  std::size_t elements = 0;
-  bool kept = false;
-  /// The domain sides it reaches.
-  SideBits sides = 0;
-  /// A point that, as a seed, means this zone; in a large octant, away from surfaces where the zone has such a place.
-  Vec3 inside = Vec3::Zero();
-  /// Surfaces on its border, those with most faces first.
-  std::vector<Index> surfaces;
-  /// Volume of the octants, shared out among their corners, and so right to about half an octant at the border. Cubic
-  /// model units.
-  double volume = 0.0;
-  ZoneKind kind = ZoneKind::open;
-};
-
-/// Grid points and leaves in a row.
-struct GridPart
-{
-  Index firstPoint;
-  Index endPoint;
-  Index firstLeaf;
-  Index endLeaf;
-};
-
-/// Facts about zones from a part of the grid.
+/// Facts about zones.
 struct ZoneFacts
 {
   /// Faces that a zone sees, except looking down, on ground and on sides of the domain.
@@ -98,17 +64,11 @@ struct ZoneFacts
   std::vector<Count> corners;
 };
 
-/// The result does not depend on threads. `isGround` is by surface; nothing is where it is empty.
-/// O(points + faces · log faces).
+/// Returns the facts about the zones of the whole grid. The result does not depend on threads. `isGround` is by
+/// surface; nothing is ground if it is empty. O(points + faces · log faces).
 ZoneFacts findZoneFacts(const Zones& zones, const Crossings& crossings, const GridPlaces& grid,
                         std::size_t surfaceCount, const GridPart& part, const RunContext& context,
                         const std::vector<char>& isGround = {});
-
-/// Returns the part that is the whole grid.
-GridPart wholeOf(const GridPlaces& grid);
-
-/// Adds the facts from the next part. The facts of all parts together are those of the whole.
-void append(const ZoneFacts& more, ZoneFacts& facts);
 
 /// Returns per zone the volume of the octants, shared out among their corners, in cubic model units.
 std::vector<double> zoneVolumes(const ZoneFacts& facts, std::size_t zoneCount, const GridFrame& frame);

@@ -7,6 +7,7 @@
 #include "Support/UnionFind.h"
 
 #include <algorithm>
+#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -17,39 +18,121 @@ namespace {
 constexpr SideBits bottom = SideBits{1} << zMin;
 constexpr SideBits top = SideBits{1} << zMax;
 
-/// Points in a row that are of one set.
-struct Run
+/// Sets of own points that uncut edges between them join. The root of a set is its first point; both are counted from
+/// the first own point.
+UnionFind joinOwn(const Crossings& crossings, const IndexRange& own, const RunContext& context)
 {
-  Index root;
-  Index points;
-};
-
-void addToRuns(std::vector<Run>& runs, Index root)
-{
-  if (runs.empty() || runs.back().root != root)
-  {
-    runs.push_back({root, 0});
-  }
-  ++runs.back().points;
-}
-
-/// Roots of sets, the largest first. `sizes`, which are 0, get those of each root.
-std::vector<Index> rootsBySize(const std::vector<std::vector<Run>>& runs, std::vector<Index>& sizes)
-{
-  std::vector<Index> roots;
-  for (const std::vector<Run>& piece : runs)
-  {
-    for (const Run& run : piece)
+  // Points of a piece are joined with each other first, by all threads.
+  constexpr std::size_t length = 16384;
+  const std::size_t count = own.size();
+  UnionFind sets(count);
+  std::vector<std::vector<std::pair<Index, Index>>> between((count + length - 1) / length);
+  context.executor.forEach(between.size(), 1, [&](std::size_t piece) {
+    context.progress.check();
+    const std::size_t begin = piece * length;
+    const std::size_t end = std::min(begin + length, count);
+    for (std::size_t point = begin; point < end; ++point)
     {
-      if (sizes[run.root] == 0)
+      for (int direction = 1; direction < 6; direction += 2)
       {
-        roots.push_back(run.root);
+        const std::int32_t neighbor = crossings.neighbors[own.begin + point][direction];
+        if (neighbor < 0 || !own.contains(static_cast<Index>(neighbor)))
+        {
+          continue;
+        }
+        const Index other = static_cast<Index>(neighbor) - own.begin;
+        if (other >= begin && other < end)
+        {
+          sets.join(static_cast<Index>(point), other);
+        }
+        else
+        {
+          between[piece].emplace_back(static_cast<Index>(point), other);
+        }
       }
-      sizes[run.root] += run.points;
+    }
+  });
+  for (const auto& pairs : between)
+  {
+    context.progress.check();
+    for (const auto& [a, b] : pairs)
+    {
+      sets.join(a, b);
     }
   }
-  std::ranges::sort(roots, [&](Index l, Index r) { return sizes[l] != sizes[r] ? sizes[l] > sizes[r] : l < r; });
-  return roots;
+  return sets;
+}
+
+PointSets setsOfOwn(const Crossings& crossings, const IndexRange& own, const RunContext& context)
+{
+  UnionFind joined = joinOwn(crossings, own, context);
+  PointSets sets{std::vector<Index>(own.size())};
+  const Pieces pieces(own.size());
+  std::vector<Index> firsts(pieces.count, 0);
+  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
+    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
+    {
+      sets.ofOwn[i] = joined.find(static_cast<Index>(i));
+      firsts[piece] += sets.ofOwn[i] == i ? 1 : 0;
+    }
+  });
+  joined.reset(0);
+  sets.count = scan(firsts);
+  std::vector<Index> numbers(own.size()); // of roots
+  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
+    Index next = firsts[piece];
+    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
+    {
+      if (sets.ofOwn[i] == i)
+      {
+        numbers[i] = next++;
+      }
+    }
+  });
+  context.executor.forEach(own.size(), Pieces::length, [&](std::size_t i) { sets.ofOwn[i] = numbers[sets.ofOwn[i]]; });
+  return sets;
+}
+
+/// Facts about a zone, or about a part of it.
+struct ZonePart
+{
+  std::size_t size = 0;
+  SideBits sides = 0;
+  SideBits openSides = 0;
+
+  void add(const ZonePart& other)
+  {
+    size += other.size;
+    sides |= other.sides;
+    openSides |= other.openSides;
+  }
+};
+
+/// Returns the facts about sets of own points.
+std::vector<ZonePart> describe(const PointSets& sets, const Crossings& crossings, const IndexRange& own,
+                               std::size_t surfaceCount)
+{
+  std::vector<ZonePart> parts(sets.count);
+  for (std::size_t begin = 0; begin < sets.ofOwn.size();) // neighbors mostly are of one set
+  {
+    std::size_t end = begin + 1;
+    while (end < sets.ofOwn.size() && sets.ofOwn[end] == sets.ofOwn[begin])
+    {
+      ++end;
+    }
+    parts[sets.ofOwn[begin]].size += end - begin;
+    begin = end;
+  }
+  for (const BoundaryFace& face : crossings.boundaryFaces)
+  {
+    if (face.onDomainSide && own.contains(face.element))
+    {
+      const bool isOpen = face.tag >= surfaceCount;
+      const SideBits bit = SideBits{1} << (isOpen ? face.tag - surfaceCount : face.direction);
+      parts[sets.ofOwn[face.element - own.begin]].add({0, bit, isOpen ? bit : SideBits{0}});
+    }
+  }
+  return parts;
 }
 
 /// Keeps the zones that reach one of `sides`, by their bits in `reached`. Returns whether there are any.
@@ -68,6 +151,13 @@ void keepOutside(const Zones& zones, std::vector<char>& kept)
   {
     keepReaching(bottom, zones.sides, kept);
   }
+}
+
+/// `placed` is along the grid's axes.
+bool isInDomain(const Vec3& placed, const GridFrame& frame)
+{
+  return placed.allFinite() && (placed.array() >= frame.domain.min.array()).all() &&
+         (placed.array() <= frame.domain.max.array()).all() && frame.inDomain(frame.toLattice(placed));
 }
 
 /// The grid points of a leaf and of those that touch it, by distance from p; only those inside a turned domain.
@@ -120,9 +210,7 @@ Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, co
   const Octree& octree = grid.octree();
   const GridFrame& frame = octree.frame();
   const Vec3 placed = frame.placement.fromModel(seed);
-  if (!seed.allFinite() || (placed.array() < frame.domain.min.array()).any() ||
-      (placed.array() > frame.domain.max.array()).any() || !frame.inDomain(frame.toLattice(placed)) ||
-      (frame.turnedDomain && !frame.turnedDomain->contains(seed)))
+  if (!isInDomain(placed, frame) || (frame.turnedDomain && !frame.turnedDomain->contains(seed)))
   {
     throw Error((std::ostringstream() << "the " << kind << " " << seed.transpose()
                                       << " is outside the domain: give a point between " << frame.domain.min.transpose()
@@ -150,92 +238,58 @@ Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, co
   return corner->second;
 }
 
-UnionFind joinPoints(const Crossings& crossings, const RunContext& context)
+Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const GridPart& part, const RunContext& context)
 {
-  // Points of a piece are joined with each other first, by all threads.
-  constexpr std::size_t length = 16384;
-  const std::size_t count = crossings.neighbors.size();
-  UnionFind sets(count);
-  std::vector<std::vector<std::pair<Index, Index>>> between((count + length - 1) / length);
-  context.executor.forEach(between.size(), 1, [&](std::size_t piece) {
-    context.progress.check();
-    const std::size_t end = std::min((piece + 1) * length, count);
-    for (std::size_t point = piece * length; point < end; ++point)
-    {
-      for (int direction = 1; direction < 6; direction += 2)
-      {
-        const std::int32_t neighbor = crossings.neighbors[point][direction];
-        const auto other = static_cast<std::size_t>(neighbor);
-        if (neighbor >= 0 && other >= piece * length && other < end)
-        {
-          sets.join(static_cast<Index>(point), static_cast<Index>(neighbor));
-        }
-        else if (neighbor >= 0)
-        {
-          between[piece].emplace_back(static_cast<Index>(point), static_cast<Index>(neighbor));
-        }
-      }
-    }
+  context.progress.check();
+  const IndexRange& own = part.points();
+  const PointSets sets = setsOfOwn(crossings, own, context);
+  const JoinedSets joined = part.join(sets, [&](Index point, int direction) {
+    const std::int32_t code = crossings.neighbors[point][direction];
+    return code >= 0 ? static_cast<Index>(code) : noIndex;
   });
-  for (const auto& pairs : between)
-  {
-    context.progress.check();
-    for (const auto& [a, b] : pairs)
-    {
-      sets.join(a, b);
-    }
-  }
-  return sets;
-}
-
-Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunContext& context)
-{
-  const std::size_t count = crossings.neighbors.size();
-  UnionFind sets = joinPoints(crossings, context);
+  const std::vector<ZonePart> whole = part.sum(joined, describe(sets, crossings, own, surfaceCount),
+                                               [](const ZonePart& more, ZonePart& sum) { sum.add(more); });
+  std::vector<Index> order(whole.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::sort(
+      order, [&](Index l, Index r) { return whole[l].size != whole[r].size ? whole[l].size > whole[r].size : l < r; });
   Zones zones;
-  zones.ofPoint.resize(count);
-  const Pieces pieces(count);
-  std::vector<std::vector<Run>> runs(pieces.count);
-  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
-    for (std::size_t point = pieces.begin(piece); point < pieces.end(piece); ++point)
-    {
-      const Index root = sets.find(static_cast<Index>(point));
-      zones.ofPoint[point] = static_cast<std::int32_t>(root);
-      addToRuns(runs[piece], root);
-    }
-  });
-  std::vector<Index> ofRoot(count, 0); // the number of its points, then its zone
-  const std::vector<Index> roots = rootsBySize(runs, ofRoot);
-  for (Index zone = 0; zone < roots.size(); ++zone)
+  std::vector<std::int32_t> zoneOf(whole.size());
+  for (const Index set : order)
   {
-    zones.sizes.push_back(std::exchange(ofRoot[roots[zone]], zone));
+    zoneOf[set] = static_cast<std::int32_t>(zones.count());
+    zones.sizes.push_back(whole[set].size);
+    zones.sides.push_back(whole[set].sides);
+    zones.openSides.push_back(whole[set].openSides);
   }
-  context.executor.forEach(count, Pieces::length, [&](std::size_t point) {
-    zones.ofPoint[point] = static_cast<std::int32_t>(ofRoot[static_cast<std::size_t>(zones.ofPoint[point])]);
-  });
-  zones.sides.resize(roots.size(), 0);
-  zones.openSides.resize(roots.size(), 0);
-  for (const BoundaryFace& face : crossings.boundaryFaces)
-  {
-    if (face.onDomainSide)
-    {
-      const bool isOpen = face.tag >= surfaceCount;
-      const SideBits bit = SideBits{1} << (isOpen ? face.tag - surfaceCount : face.direction);
-      const std::int32_t zone = zones.ofPoint[face.element];
-      zones.sides[zone] |= bit;
-      zones.openSides[zone] |= isOpen ? bit : 0;
-    }
-  }
+  const std::vector<Index>& ofSet = joined.ofSet[static_cast<std::size_t>(part.exchange().rank())];
+  zones.ofPoint.resize(crossings.neighbors.size());
+  context.executor.forEach(own.size(), Pieces::length,
+                           [&](std::size_t i) { zones.ofPoint[own.begin + i] = zoneOf[ofSet[sets.ofOwn[i]]]; });
+  part.refresh(zones.ofPoint, static_cast<std::int32_t>(zones.count()));
   return zones;
 }
 
 std::vector<std::int32_t> zonesOfSeeds(const Zones& zones, const std::vector<Vec3>& seeds, const GridPlaces& grid,
-                                       const SurfaceModel& model, const char* kind)
+                                       const GridPart& part, const SurfaceModel& model, const char* kind)
 {
-  std::vector<std::int32_t> out;
-  std::ranges::transform(seeds, std::back_inserter(out),
-                         [&](const Vec3& seed) { return zones.ofPoint[pointOfSeed(seed, kind, grid, model)]; });
-  return out;
+  const Octree& octree = grid.octree();
+  const GridFrame& frame = octree.frame();
+  // Every process refuses a seed outside the domain; the owner of its leaf knows its zone.
+  const auto isOwn = [&](const Vec3& seed) {
+    const Vec3 placed = frame.placement.fromModel(seed);
+    return part.isWhole() || !isInDomain(placed, frame) ||
+           part.leaves().contains(octree.leafAt(frame.toLattice(placed)));
+  };
+  std::vector<std::int32_t> own;
+  for (const Vec3& seed : seeds)
+  {
+    if (isOwn(seed))
+    {
+      own.push_back(zones.ofPoint[pointOfSeed(seed, kind, grid, model)]);
+    }
+  }
+  return joinAll(part.exchange(), std::move(own));
 }
 
 std::vector<char> zonesByRule(const Zones& zones, ZoneRule rule, const std::vector<std::int32_t>& seedZones)

@@ -3,24 +3,17 @@
 #pragma once
 
 #include "Dual/Grid/Crossings.h"
+#include "Dual/Grid/GridPart.h"
+#include "Dual/Zones/ZoneOptions.h"
 #include "Support/RunContext.h"
-#include "Support/UnionFind.h"
 
 namespace atria {
 
-/// Rule by which zones are kept.
-enum class ZoneRule : std::uint8_t
-{
-  /// Zones that reach the top of the domain. If none does, or if surfaces lie on all of its sides but the bottom, zones
-  /// that reach any side but the bottom; if none does, zones that reach the bottom.
-  outside,
-  all,
-  seeds ///< zones that hold one of the given points
-};
-
-/// Zones: grid points joined across uncut edges. Zone 0 has the most points, and so on down; equal ones by first point.
+/// Zones of the whole grid: grid points joined across uncut edges. Zone 0 has the most points, and so on down; equal
+/// ones by first point.
 struct Zones
 {
+  /// Per grid point; count() where a process does not know it.
   std::vector<std::int32_t> ofPoint;
   std::vector<std::size_t> sizes;
   /// Per zone, the domain sides it reaches; and those it reaches where no surface lies on them.
@@ -30,10 +23,7 @@ struct Zones
   std::size_t count() const { return sizes.size(); }
 };
 
-/// Sets of grid points that uncut edges join.
-UnionFind joinPoints(const Crossings& crossings, const RunContext& context);
-
-Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunContext& context);
+Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const GridPart& part, const RunContext& context);
 
 /// The grid point whose zone a seed means: the nearest one, where it stands in the displaced grid, that no surface
 /// hides from the seed, of those at the leaf it lies in and its neighbors; where all are hidden, the nearest corner of
@@ -50,8 +40,8 @@ void checkKept(const std::vector<char>& kept, ZoneRule rule);
 /// The zones that a rule keeps. Throws Error where no zone is left.
 std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<std::int32_t>& seedZones);
 
-/// The zones that hold seeds. Throws as pointOfSeed().
+/// Returns the zones that hold seeds. Throws as pointOfSeed().
 std::vector<std::int32_t> zonesOfSeeds(const Zones& zones, const std::vector<Vec3>& seeds, const GridPlaces& grid,
-                                       const SurfaceModel& model, const char* kind = "seed");
+                                       const GridPart& part, const SurfaceModel& model, const char* kind = "seed");
 
 } // namespace atria

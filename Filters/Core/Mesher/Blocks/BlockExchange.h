@@ -1,33 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Port through which blocks of a mesh that are improved in several processes agree.
 #pragma once
 
 #include "Mesher/Blocks/WindowTask.h"
 
 namespace atria {
 
-/// Where blocks of one mesh are on several ranks: what these tell each other. All make the same calls.
+/// Agrees with the processes that improve other blocks of the mesh; all make the same calls. This class is that of a
+/// process that improves all blocks.
 class BlockExchange
 {
 public:
   virtual ~BlockExchange() = default;
-  /// The blocks touched by each of all blocks, from those of own ones.
-  virtual std::vector<std::vector<Index>> allTouching(const std::vector<std::vector<Index>>& own) = 0;
-  /// What became of points here, for what became of them on all ranks, as far as they are here, too.
-  virtual PointChanges allChanges(const PointChanges& own) = 0;
-  /// The same of poor elements.
-  virtual std::vector<PoorElement> allPoor(const std::vector<PoorElement>& own) = 0;
-  /// Whether something is so on any of them.
-  virtual bool isAny(bool own) = 0;
-};
-
-/// Of a mesh that is on one.
-class NoExchange : public BlockExchange
-{
-public:
-  std::vector<std::vector<Index>> allTouching(const std::vector<std::vector<Index>>& own) override { return own; }
-  PointChanges allChanges(const PointChanges& own) override { return own; }
-  std::vector<PoorElement> allPoor(const std::vector<PoorElement>& own) override { return own; }
-  bool isAny(bool own) override { return own; }
+  /// Returns the blocks touched by each of all blocks, from those of own ones.
+  virtual std::vector<std::vector<Index>> allTouching(const std::vector<std::vector<Index>>& own) { return own; }
+  /// Returns the changes of points in all processes, as far as the points are here, too.
+  virtual PointChanges allChanges(const PointChanges& own) { return own; }
+  /// Returns the poor elements of all processes that are here, too.
+  virtual std::vector<PoorElement> allPoor(const std::vector<PoorElement>& own) { return own; }
+  /// True if `own` is true in any process.
+  virtual bool isAny(bool own) { return own; }
 };
 
 } // namespace atria

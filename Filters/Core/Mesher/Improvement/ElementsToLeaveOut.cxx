@@ -336,22 +336,12 @@ private:
   bool atSides_ = false;
 };
 
-/// Of a mesh without others.
-class WholeMesh : public LeaveOutExchange
-{
-public:
-  bool isSeen(Index) const override { return true; }
-  bool isOwn(Index) const override { return true; }
-  std::size_t sum(std::size_t own) override { return own; }
-  std::vector<Index> all(const std::vector<Index>& own) override { return own; }
-};
-
 } // namespace
 
 std::vector<Index> findElementsToLeaveOut(const DualMesh& mesh, const std::vector<Index>& failing, bool sidesToo,
                                           const RunContext& context)
 {
-  WholeMesh whole;
+  LeaveOutExchange whole;
   return findElementsToLeaveOut(mesh, failing, sidesToo, whole, context);
 }
 

@@ -2,6 +2,7 @@
 /// What the stages of the improver aim at and how they go there, in the order in which they run.
 #pragma once
 
+#include "Optimize/Kernel/CurvedWallTargets.h"
 #include "Optimize/Kernel/Optimizer.h"
 
 #include <array>

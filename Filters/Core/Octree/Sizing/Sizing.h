@@ -1,70 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Sizing rules, and the octants that they refine.
+/// Sizes octants by rules.
 #pragma once
 
+#include "Octree/Sizing/SizingOptions.h"
 #include "Octree/Tree/Octree.h"
 #include "Support/RunContext.h"
 #include "Surface/Model/SurfaceModel.h"
 
-#include <optional>
 #include <string>
 
 namespace atria {
-
-/// Sizes at the surfaces whose name matches `pattern`: `*` stands for any text, `?` for any one character. They take
-/// the place of SizeMid and SizeMin there, and may be coarser. The finest size holds if several rules match a surface.
-struct SurfaceSize
-{
-  std::string pattern;
-  /// Octants that touch the surface are at most this large.
-  double size = 1.0;
-  /// Octants at its feature curves and corners, and where it comes close to other surfaces, are at most this large.
-  /// Without: SizeMin, or `size` where that is finer.
-  std::optional<double> featureSize;
-};
-
-/// Octants that share volume with `bounds` are at most `size` large.
-struct RefinementBox
-{
-  Box3 bounds;
-  double size = 1.0;
-};
-
-/// Octants nearer than `distance` to a surface that matches `pattern` are at most `size` large.
-struct DistanceSize
-{
-  std::string pattern;
-  double distance = 0.0;
-  double size = 1.0;
-};
-
-/// Sizing rules beyond the three sizes of GridOptions. Lengths are in model units. Octants have a size of SizeMin *
-/// 2^j: the largest of these that is not above the requested size is taken.
-struct SizingOptions
-{
-  static constexpr int maximumCellsPerLevel = 8;
-  static constexpr int maximumCellsAcrossGap = 64;
-
-  std::vector<SurfaceSize> surfaceSizes;
-  std::vector<RefinementBox> boxes;
-  std::vector<DistanceSize> distanceSizes;
-  /// Degrees, at most 90, by which the normals of one smooth piece may differ in an octant before it is refined, down
-  /// to the size of its surface's features at most; 0 turns this off.
-  double curvatureAngle = 0.0;
-  /// Octants across the space between surfaces that face each other, down to the size of their features at most; 0
-  /// turns this off.
-  int cellsAcrossGap = 0;
-  /// Layers of octants of each size between the next finer and the next coarser ones; 1 is the 2:1 balance alone.
-  int cellsPerLevel = 1;
-  /// Upper limit of the number of elements; 0 is no limit. Coarser sizes are taken to keep to it, first of all in the
-  /// open and last at features (see SizeSteps in KeptSizes.h).
-  std::size_t maxElements = 0;
-  /// Bytes of memory that meshing may take; 0 is no limit.
-  std::size_t memoryLimit = 0;
-};
-
-/// The smallest size any rule requests; infinity without rules.
-double finestSizeOf(const SizingOptions& options);
 
 /// Result of sizeOctants.
 struct SizedOctants

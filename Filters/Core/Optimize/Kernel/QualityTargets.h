@@ -30,15 +30,6 @@ struct QualityRange
   QualityRange beyond(double share) const { return {limit, target + share * (target - limit)}; }
 };
 
-/// Targets for hexahedra at curved walls, away from creases and boundary edges. Smaller values take longer.
-struct CurvedWallTargets
-{
-  /// Largest non-orthogonality in degrees, greater than 0 and below 90.
-  double nonOrthogonality = 20.0;
-  /// Largest skewness by OpenFOAM's definition, greater than 0.
-  double skewness = 0.5;
-};
-
 /// Ranges of the measures of cells and their faces, all dimensionless. Limits of measures that OpenFOAM's checkMesh
 /// knows are a little stricter than there. QualityEvaluator takes the measures.
 struct QualityTargets

@@ -129,7 +129,7 @@ std::size_t PartCounts::countPoints(const std::vector<Index>& points) const
   }
   const auto own =
       static_cast<std::size_t>(std::ranges::count_if(points, [&](Index point) { return countsPoint_[point] != 0; }));
-  return sumOverRanks(part_->exchange, std::array{own})[0];
+  return sumAll(part_->exchange, std::array{own})[0];
 }
 
 std::vector<Index> PartCounts::boundaryPoints() const

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Report on the layers that were built.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace atria {
+
+/// Layers of one surface, both sides together.
+struct LayerCoverage
+{
+  std::string surface;
+  /// Number of layers requested; 0 if the surface has a layer only at elements that cannot be valid without.
+  int layers = 0;
+  /// Area of all its faces, of faces with elements of a layer, and of faces with elements of all layers; square model
+  /// units. Elements may thin out to nothing at a corner or edge of such a face.
+  double area = 0.0;
+  double layered = 0.0;
+  double full = 0.0;
+  /// Actual over requested thickness, mean over the layered area; 0 if there is none.
+  double thickness = 0.0;
+};
+
+struct LayerReport
+{
+  /// One entry per boundary face of the mesh: the number of elements in the stack on it, and their total thickness
+  /// across the face (mean of the corners, model units); 0 if there are none.
+  std::vector<std::int32_t> counts;
+  std::vector<double> thicknesses;
+  /// Surfaces and bare sides that have faces and were to get layers, or whose elements needed one.
+  std::vector<LayerCoverage> surfaces;
+};
+
+} // namespace atria

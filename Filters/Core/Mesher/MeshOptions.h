@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Options for meshing a model.
+#pragma once
+
+#include "Dual/Zones/ZoneOptions.h"
+#include "Layer/LayerRules.h"
+#include "Mesher/ModelOptions.h"
+#include "Optimize/Kernel/CurvedWallTargets.h"
+
+namespace atria {
+
+/// Options for the faces of the mesh at gaps of the model.
+struct CrossingOptions
+{
+  /// Cracks beside boundary edges that are no wider than this part of the octants there are closed; 0 closes none.
+  /// Wider ones are open where an edge of the grid passes.
+  double crackTolerance = 0.5;
+};
+
+/// Options for walls.
+struct WallOptions
+{
+  /// Layers of elements on walls. Elements at the boundary are made valid, too, also by a rule that asks for no layers;
+  /// without rules the mesh is the dual as it is.
+  std::vector<LayerRule> layers = {};
+  /// True if walls for which a rule requests no layers have one at elements that cannot be valid without: those that
+  /// are concave there or have too few neighbors, wherever their vertices are.
+  bool supportElements = true;
+  /// Where walls have a layer.
+  CurvedWallTargets curvedWalls = {};
+  /// Vertices of blocks of at most about this many octants are improved together; see improveBlocks. 0 improves the
+  /// mesh as a whole.
+  std::size_t blockSize = 0;
+};
+
+/// Options for the mesh of an octree.
+struct DualMeshOptions : CrossingOptions, ZoneOptions, WallOptions
+{
+};
+
+/// All options of meshModel().
+struct MesherOptions : ModelOptions
+{
+  DualMeshOptions mesh;
+};
+
+} // namespace atria

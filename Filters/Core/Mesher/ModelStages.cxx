@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/ModelStages.h"
+
+#include "Domain/DomainCheck.h"
+#include "Mesher/ModelOpenings.h"
+#include "Mesher/ModelRepair.h"
+#include "Octree/Sizing/SizeRules.h"
+#include "Support/Error.h"
+#include "Support/NamePattern.h"
+#include "Surface/Search/Distance.h"
+
+#include <algorithm>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
+namespace atria {
+
+namespace {
+
+/// Gaps that are closed where nothing is said of them, against SizeMin.
+constexpr double gapRatio = 0.05;
+
+GridOptions sizesOf(const ModelOptions& options)
+{
+  GridOptions sizes = options.sizes;
+  sizes.finestAsked = finestSizeOf(options.sizing);
+  return sizes;
+}
+
+void setKind(SurfaceKind kind, const std::vector<std::string>& patterns, const std::vector<std::string>& names,
+             std::vector<SurfaceKind>& kinds)
+{
+  const char* zone = kind == SurfaceKind::faceZone ? "a face zone" : "a cell zone";
+  for (const std::string& pattern : patterns)
+  {
+    kinds.resize(names.size(), SurfaceKind::wall);
+    bool met = false;
+    for (std::size_t i = 0; i < names.size(); ++i)
+    {
+      if (matchesPattern(pattern, names[i]))
+      {
+        if (kinds[i] != SurfaceKind::wall && kinds[i] != kind)
+        {
+          throw Error("surface '" + names[i] + "' is asked to be both a face zone and a cell zone");
+        }
+        kinds[i] = kind;
+        met = true;
+      }
+    }
+    if (!met)
+    {
+      throw Error("no surface matches '" + pattern + "', which is to be " + zone + "; " + namesInstead(pattern, names));
+    }
+  }
+}
+
+/// Empty where all are walls.
+std::vector<SurfaceKind> kindsOf(const std::vector<std::string>& names, const ModelOptions& options)
+{
+  std::vector<SurfaceKind> kinds;
+  setKind(SurfaceKind::faceZone, options.faceZones, names, kinds);
+  setKind(SurfaceKind::cellZone, options.cellZones, names, kinds);
+  return kinds;
+}
+
+/// Adds to the entries of the same two surfaces; by `gives` and then by `keeps`.
+void addShared(const std::vector<SharedArea>& some, std::vector<SharedArea>& to)
+{
+  const auto pairOf = [](const SharedArea& shared) { return std::pair(shared.gives, shared.keeps); };
+  for (const SharedArea& shared : some)
+  {
+    const auto at = std::ranges::lower_bound(to, pairOf(shared), {}, pairOf);
+    if (at == to.end() || pairOf(*at) != pairOf(shared))
+    {
+      to.insert(at, shared);
+      continue;
+    }
+    at->area += shared.area;
+    at->equalArea += shared.equalArea;
+    at->openedArea += shared.openedArea;
+  }
+}
+
+SizingOptions alongGrid(SizingOptions sizing, const Placement& grid)
+{
+  for (RefinementBox& box : sizing.boxes)
+  {
+    box.bounds = boundsAlong(grid, PlacedPrism(PlacedBox{{}, box.bounds}));
+  }
+  return sizing;
+}
+
+} // namespace
+
+GroundedInput groundModel(const TriangleSurface& surface, const ModelOptions& options, std::optional<double> bottom)
+{
+  GroundRules rules{options.sizes.sizeMin, bottom, SurfaceFlags(surface.names.size(), 0)};
+  for (const std::vector<std::string>* patterns : {&options.faceZones, &options.cellZones})
+  {
+    for (std::size_t i = 0; i < surface.names.size(); ++i)
+    {
+      rules.asDrawn[i] |= std::ranges::any_of(
+          *patterns, [&](const std::string& pattern) { return matchesPattern(pattern, surface.names[i]); });
+    }
+  }
+  GroundedModel grounded = groundModel(surface, options.site, rules);
+  GroundedInput out{std::move(grounded.surface), options, std::move(grounded.report)};
+  out.options.site = std::move(grounded.site);
+  return out;
+}
+
+SitePlan planSite(const TriangleSurface& surface, const ModelOptions& options)
+{
+  return planSite(surface, options.site, sizesOf(options));
+}
+
+std::vector<std::string> checkDomain(const TriangleSurface& surface, const SitePlan& plan, const ModelOptions& options)
+{
+  // A polygon is given, whatever the heights follow from.
+  const DomainMode mode = options.site.polygon.empty() ? options.site.mode : DomainMode::bounds;
+  std::vector<std::string> warnings = checkDomain(surface, plan, mode, options.sizes.sizeMin);
+  if (const double width = narrowestSide(plan.domain); width < std::numbers::sqrt2 * options.sizes.sizeMax)
+  {
+    std::ostringstream text;
+    text << "sides of the domain are as narrow as " << width
+         << " m, so that some may lie between elements and have no face: give it fewer sides (DomainSides, "
+            "--domain-sides), or a SizeMax (--size-max) of less than 0.7 of that";
+    warnings.push_back(text.str());
+  }
+  return warnings;
+}
+
+PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, const ModelOptions& options)
+{
+  return placeModel(surface, plan, sizesOf(options));
+}
+
+PlacedModel placeModel(const TriangleSurface& surface, const ModelOptions& options)
+{
+  const GroundedInput grounded = groundModel(surface, options);
+  return placeModel(grounded.surface, planSite(grounded.surface, grounded.options), grounded.options);
+}
+
+SurfaceModel makeSurfaceModel(const PlacedModel& placed, const ModelOptions& options, const RunContext& context)
+{
+  const double size = placed.frame.sizeOf(placed.frame.featureLevel);
+  FeatureOptions features;
+  features.featureAngle = options.featureAngle;
+  features.weldDistance = weldRatio * size;
+  features.sideDistance = coincidentRatio * size;
+  features.gapTolerance = options.gapTolerance.value_or(gapRatio * size);
+  features.smallPartSize = options.smallPartSize;
+  features.keptSurfaces = surfacesOfRules(placed.surface.names, options.sizing);
+  features.kinds = kindsOf(placed.surface.names, options);
+  features.finerPlaces = finerPlaces(placed.surface, placed.frame, alongGrid(options.sizing, placed.frame.placement));
+  SurfaceModel model =
+      makeSurfaceModel(placed.surface, placed.frame, features, options.findOpenings ? context.part(0.0, 0.5) : context);
+  if (options.findOpenings)
+  {
+    model = withOpenings(std::move(model), placed, features, options, context.part(0.5, 1.0));
+  }
+  addShared(placed.sharedOnSides, model.repair.shared);
+  return model;
+}
+
+SizedOctants sizeOctants(const SurfaceModel& model, const GridFrame& frame, const ModelOptions& options,
+                         const RunContext& context)
+{
+  return sizeOctants(model, frame, alongGrid(options.sizing, frame.placement), context);
+}
+
+MeshEstimate estimateElements(const SurfaceModel& model, const GridFrame& frame, const ModelOptions& options,
+                              const RunContext& context)
+{
+  return estimateElements(model, frame, alongGrid(options.sizing, frame.placement), context);
+}
+
+SurfaceRepairReport reportRepair(const TriangleSurface& surface, const ModelOptions& options, const RunContext& context)
+{
+  return makeSurfaceModel(placeModel(surface, options), options, context).repair;
+}
+
+} // namespace atria

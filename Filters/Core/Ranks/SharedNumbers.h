@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Numbers of the whole for what ranks have parts of.
+#pragma once
+
+#include "Ranks/RankShare.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace atria {
+
+/// A point of a plain mesh: the finest key of its vertex's leaf, and which of the points it is that the vertex became
+/// where sheets were split, the vertex itself being 0.
+struct SharedPoint
+{
+  MortonKey leaf;
+  Index copy;
+
+  auto operator<=>(const SharedPoint&) const = default;
+};
+
+/// How many there are on the ranks before this one, and on all.
+struct GlobalCount
+{
+  std::size_t before;
+  std::size_t all;
+};
+GlobalCount countBefore(std::size_t own, RankExchange& exchange);
+
+/// Asks ranks for what they know of points: `rankOf` gives the rank of each point asked for, and `answer` what a rank
+/// says of one of its own.
+template <typename Key, typename Answer, typename RankOf, typename AnswerTo>
+std::vector<Answer> askRanks(RankExchange& exchange, const std::vector<Key>& keys, RankOf&& rankOf, AnswerTo&& answer)
+{
+  const auto ranks = static_cast<std::size_t>(exchange.ranks());
+  std::vector<std::vector<Key>> asked(ranks);
+  std::vector<std::vector<std::size_t>> places(ranks);
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    const auto rank = static_cast<std::size_t>(rankOf(keys[i]));
+    asked[rank].push_back(keys[i]);
+    places[rank].push_back(i);
+  }
+  std::vector<std::vector<Answer>> answers;
+  for (const std::vector<Key>& some : exchangeLists(exchange, asked))
+  {
+    std::vector<Answer>& out = answers.emplace_back();
+    for (const Key& key : some)
+    {
+      out.push_back(answer(key));
+    }
+  }
+  std::vector<Answer> result(keys.size());
+  const auto received = exchangeLists(exchange, answers);
+  for (std::size_t rank = 0; rank < ranks; ++rank)
+  {
+    for (std::size_t i = 0; i < places[rank].size(); ++i)
+    {
+      result[places[rank][i]] = received[rank][i];
+    }
+  }
+  return result;
+}
+
+/// Asks each rank for what this one has of it, by lists of numbers here and a key for each; and finds by `numberOf`
+/// what others ask of this one. What ranks have of each other then is in the same order on both.
+template <typename Key, typename KeyOf, typename NumberOf>
+std::vector<std::vector<Index>> askedOf(const std::vector<std::vector<Index>>& theirs, RankExchange& exchange,
+                                        KeyOf&& keyOf, NumberOf&& numberOf)
+{
+  std::vector<std::vector<Key>> asked(theirs.size());
+  for (std::size_t rank = 0; rank < theirs.size(); ++rank)
+  {
+    std::ranges::transform(theirs[rank], std::back_inserter(asked[rank]), keyOf);
+  }
+  std::vector<std::vector<Index>> ours;
+  for (const std::vector<Key>& some : exchangeLists(exchange, asked))
+  {
+    std::ranges::transform(some, std::back_inserter(ours.emplace_back()), numberOf);
+  }
+  return ours;
+}
+
+} // namespace atria

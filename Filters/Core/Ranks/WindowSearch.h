@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Mesher/Blocks/MeshBlocks.h"
+#include "Ranks/PlainShare.h"
+
+#include <unordered_map>
+
+namespace atria {
+
+/// Finds the elements of other ranks that a rank needs to improve its own and as ghosts: those beside them, and all
+/// among which points of these are improved (WindowRows), with a row about all that. So no window of a block ends where
+/// this one does, and what is left out near own elements is judged among all that is there. Asks ranks for how theirs
+/// are connected, row by row, 64 bytes an element.
+class WindowSearch
+{
+public:
+  /// Of rows that are those of the whole mesh. All must outlive this.
+  WindowSearch(const PlainShare& own, const NearBoundary& near, const RankShare& share);
+  /// In rising order.
+  std::vector<PointKey> run();
+
+private:
+  /// An element of another rank: by face what is across, or on the other side of the sheet.
+  struct Connections
+  {
+    std::array<PointKey, 6> beyond;
+    std::uint8_t row;
+    std::uint8_t sheets; ///< faces on sheets, as bits
+  };
+
+  std::vector<PointKey> keysAbout() const;
+  std::vector<PointKey> wantedOf(const std::vector<Index>& grown, const std::vector<PointKey>& about) const;
+  Connections connectionsOf(Index own) const;
+  void addOwn();
+  void addFaces(const Connections& connections);
+  void fetch(const std::vector<PointKey>& keys);
+  void link(Index element, std::size_t direction, Index other);
+  void linkBack(Index element, PointKey key, Index other);
+  Index numberOf(PointKey key) const;
+  std::vector<PointKey> missingBeside(const std::vector<Index>& elements) const;
+
+  const PlainShare& own_;
+  const NearBoundary& ofOwn_;
+  const RankShare& share_;
+  /// Own elements, and then those fetched; of a mesh there is only what WindowRows asks for.
+  DualMesh graph_;
+  NearBoundary near_;
+  std::vector<PointKey> keys_;
+  std::vector<Connections> fetched_;
+  std::unordered_map<PointKey, Index> numbers_; ///< of elements fetched
+};
+
+} // namespace atria
