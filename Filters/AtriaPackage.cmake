@@ -38,7 +38,13 @@ endif ()
 
 file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${atria_package_dir}/AtriaConfig.cmake" @ONLY CONTENT [=[
 include(CMakeFindDependencyMacro)
-find_dependency(VTK 9.1 COMPONENTS @atria_vtk_components@)
+find_dependency(VTK @VTK_MAJOR_VERSION@.@VTK_MINOR_VERSION@ COMPONENTS @atria_vtk_components@)
+if (NOT "${VTK_MAJOR_VERSION}.${VTK_MINOR_VERSION}" STREQUAL "@VTK_MAJOR_VERSION@.@VTK_MINOR_VERSION@")
+  set(Atria_FOUND FALSE)
+  set(Atria_NOT_FOUND_MESSAGE "this Atria was built with VTK @VTK_MAJOR_VERSION@.@VTK_MINOR_VERSION@, and VTK ${VTK_VERSION} \
+was found in ${VTK_DIR}: let VTK_DIR name the one that Atria was built with, or build Atria with yours")
+  return()
+endif ()
 find_dependency(Eigen3 NO_MODULE) # in the headers of the core
 include("${CMAKE_CURRENT_LIST_DIR}/Atria-targets.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/Atria-vtk-module-properties.cmake")

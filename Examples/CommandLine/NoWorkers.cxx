@@ -2,13 +2,32 @@
 /// Workers of a build without VTK's MPI.
 #include "Workers.h"
 
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
 namespace atria::tool {
 
 class Workers::Ranks
 {
 };
 
-Workers::Workers(int*, char***) {}
+/// Ends the program if a launcher of MPI has started several: each would make the same mesh and write the same files.
+Workers::Workers(int*, char***)
+{
+  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS"})
+  {
+    const char* const ranks = std::getenv(variable);
+    if (ranks && std::atoi(ranks) > 1)
+    {
+      std::cerr
+          << "atria: error: it was started on " << ranks
+          << " ranks, but the VTK that it was built with has no MPI: start it without mpiexec, or build it with a "
+             "VTK that has the module ParallelMPI\n";
+      std::exit(EXIT_FAILURE);
+    }
+  }
+}
 
 Workers::~Workers() = default;
 

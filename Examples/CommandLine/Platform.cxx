@@ -4,10 +4,13 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 
 #ifdef _WIN32
 #include <windows.h>
@@ -18,6 +21,9 @@
 #else
 #include <sys/resource.h>
 #include <unistd.h>
+#ifdef __APPLE__
+#include <mach-o/dyld.h>
+#endif
 #endif
 
 namespace atria::tool {
@@ -34,6 +40,13 @@ long long peakMemoryBytes()
   return GetProcessMemoryInfo(GetCurrentProcess(), &counters, sizeof(counters))
              ? static_cast<long long>(counters.PeakWorkingSetSize)
              : 0;
+}
+
+std::string programFile()
+{
+  std::array<char, MAX_PATH> path{};
+  const DWORD length = GetModuleFileNameA(nullptr, path.data(), MAX_PATH);
+  return length < MAX_PATH ? std::string(path.data(), length) : std::string();
 }
 
 #else
@@ -57,6 +70,18 @@ long long peakMemoryBytes()
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return unit * usage.ru_maxrss;
+}
+
+std::string programFile()
+{
+#ifdef __APPLE__
+  std::array<char, 4096> path{};
+  auto size = static_cast<std::uint32_t>(path.size());
+  return _NSGetExecutablePath(path.data(), &size) == 0 ? vtksys::SystemTools::GetRealPath(path.data()) : std::string();
+#else
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error).string();
+#endif
 }
 
 #endif

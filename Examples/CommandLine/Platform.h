@@ -17,6 +17,9 @@ std::optional<double> largestFile();
 /// Returns the peak memory of this process in bytes; 0 if the system does not report it.
 long long peakMemoryBytes();
 
+/// Returns the path of this program's file; empty if the system does not tell.
+std::string programFile();
+
 /// Puts a folder in front of those of an environment variable such as PATH.
 void prependPath(const std::string& variable, const std::string& folder);
 

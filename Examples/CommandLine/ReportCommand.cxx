@@ -45,13 +45,12 @@ sys.exit(main())
 /// Returns the folder of the package `atria`: beside this program, in the tree of a build or of an installation.
 fs::path packages()
 {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path program = programFile();
   fs::path found = program.parent_path().parent_path() / "lib" / "python3" / "dist-packages";
-  if (error || !fs::exists(found / "atria" / "report" / "__main__.py"))
+  if (program.empty() || !fs::exists(found / "atria" / "report" / "__main__.py"))
   {
     throw Failure(Failed, "the page is made by Atria's Python package, which is not in '" + found.string() +
-                              "': install python3-atria");
+                              "': build Atria with its Python package, or install python3-atria");
   }
   return found;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The MPI ranks that mpiexec has started the program on. The first one does all that the program does alone, and talks
 /// to the user. The others wait for it, asleep, for meshes to make and files to write together, and end with its
-/// status. Without mpiexec, or in a build without VTK's MPI, there is one rank, and MPI is not started.
+/// status. Without mpiexec there is one rank, and MPI is not started. A build without VTK's MPI ends with an error
+/// under mpiexec.
 #pragma once
 
 #include <functional>

@@ -26,17 +26,18 @@ template <typename Array, typename List, typename ValueOf = std::identity>
 void addArrayOf(vtkFieldData* data, const char* name, const List& list, ValueOf&& valueOf = {})
 {
   Array* const array = addArray<Array>(data, name);
-  array->Allocate(static_cast<vtkIdType>(std::size(list)));
+  array->SetNumberOfValues(static_cast<vtkIdType>(std::size(list)));
+  vtkIdType i = 0;
   for (const auto& entry : list)
   {
     const auto& value = std::invoke(valueOf, entry);
     if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>)
     {
-      array->InsertNextValue(static_cast<typename Array::ValueType>(value));
+      array->SetValue(i++, static_cast<typename Array::ValueType>(value));
     }
     else
     {
-      array->InsertNextValue(value);
+      array->SetValue(i++, value);
     }
   }
 }

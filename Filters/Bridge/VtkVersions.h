@@ -14,8 +14,9 @@ class vtkCellArray;
 class vtkDataArray;
 class vtkUnstructuredGrid;
 
-/// Polyhedra have lists of faces, as vtkCellArray, in place of a stream.
-#define ATRIA_VTK_HAS_FACE_LISTS (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0))
+/// Polyhedra have lists of faces, as vtkCellArray, in place of a stream: from VTK 9.4 on, and in the snapshot of 9.3
+/// that ParaView 5.13 has.
+#define ATRIA_VTK_HAS_FACE_LISTS (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240617))
 
 /// The pipeline sends the last progress event also after an abort.
 #define ATRIA_VTK_ENDS_ABORTED_RUNS (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0))

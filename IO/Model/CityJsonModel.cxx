@@ -116,7 +116,8 @@ void CityReader::add(const Json& document)
     throw Error("'" + file +
                 "' is no CityJSON: it has no \"type\": \"CityJSON\"; give a city model, or another format");
   }
-  if (const std::string version = textOf(entryOf(document, "version")); majorOf(version) > knownVersion)
+  const std::string version = textOf(entryOf(document, "version"));
+  if (!version.empty() && (majorOf(version) < 1 || majorOf(version) > knownVersion))
   {
     model.warnings.push_back("its version of CityJSON is " + version +
                              ", and 1 and 2 are known: what is new in it may be missing; export it as 2.0");

@@ -95,6 +95,10 @@ void File::openBinary(std::string_view bytes)
   {
     throw Error("'" + name + "' cannot be read as glTF 2.0: it does not begin as binary glTF does; export it again");
   }
+  if (const auto container = valueAt<std::uint32_t>(bytes.substr(4)); bytes.substr(0, 4) == "glTF" && container != 2)
+  {
+    throw Error("'" + name + "' is binary glTF " + std::to_string(container) + "; export it as glTF 2.0");
+  }
   const std::size_t jsonSize = valueAt<std::uint32_t>(bytes.substr(header));
   bytes.remove_prefix(header + chunkHeader);
   parse(bytes.substr(0, jsonSize));
@@ -125,7 +129,7 @@ void File::parse(std::string_view json)
     throw Error("'" + name + "' cannot be read as glTF 2.0: " + error.what() + "; export it again");
   }
   const std::string version = text(entryOf(document, "asset"), "version");
-  if (!version.empty() && version.front() != '2')
+  if (!version.empty() && version.substr(0, version.find('.')) != "2")
   {
     throw Error("'" + name + "' is glTF " + version + "; export it as glTF 2.0");
   }
