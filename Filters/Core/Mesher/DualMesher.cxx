@@ -285,8 +285,7 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   const MeshingContext context = reached.in(whole);
   PlainDual plain = kept ? *kept->plain.result : std::move(*own.plain.result);
   DualMeshResult result = std::move(plain.found);
-  port.complete(plain.mesh, result.diagnostics, reached.model.get(), context);
-  clock.lap("elements");
+  port.complete(plain.mesh, result.diagnostics, reached.model.get(), clock, context);
   context.progress.report(0.55, "Growing layers");
   ImprovedMesh improved = growLayers(std::move(plain.mesh), options, port, context.part(0.55, 0.98));
   appendLeftOut(improved, port.part({}), result.diagnostics);

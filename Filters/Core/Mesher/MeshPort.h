@@ -46,7 +46,7 @@ public:
   /// Completes the plain mesh by the elements of others that its improvement depends on, and renumbers diagnostics.
   /// `reached` has the octree of the context, if it is not that of the whole model; null otherwise.
   virtual void complete(ClassifiedMesh& /*plain*/, std::vector<Diagnostic>& /*diagnostics*/, ReachedModel* /*reached*/,
-                        const MeshingContext& /*context*/)
+                        StageClock& /*clock*/, const MeshingContext& /*context*/)
   {
   }
   /// Blocks of the whole octree, of about `blockSize` octants; nullopt if the mesh is improved as a whole.

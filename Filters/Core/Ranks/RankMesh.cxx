@@ -55,7 +55,7 @@ void RankMesh::takeElements(const std::vector<Index>& ofPoint)
 }
 
 void RankMesh::complete(ClassifiedMesh& plain, std::vector<Diagnostic>& diagnostics, ReachedModel* reached,
-                        const MeshingContext& context)
+                        StageClock& clock, const MeshingContext& context)
 {
   std::erase_if(diagnostics, [&](const Diagnostic& found) { return !isOwn(keys_[found.element], share_); });
   std::vector<PointKey> keys;
@@ -74,6 +74,7 @@ void RankMesh::complete(ClassifiedMesh& plain, std::vector<Diagnostic>& diagnost
   {
     diagnostics[i].element = findOwn(window_.elementKeys, window_.firstOwn, window_.endOwn, keys[i]);
   }
+  clock.lap("elements");
 }
 
 std::optional<OctreeBlocks> RankMesh::blocks(std::size_t /*blockSize*/, const Octree& /*octree*/) const

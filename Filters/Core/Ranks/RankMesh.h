@@ -25,7 +25,7 @@ public:
   std::function<bool(Index leaf)> ownLeaves(const Octree& octree) const override;
   const GridPart& divide(const Octree& octree, const GridPoints& points, const RunContext& context) override;
   void takeElements(const std::vector<Index>& ofPoint) override;
-  void complete(ClassifiedMesh& plain, std::vector<Diagnostic>& diagnostics, ReachedModel* reached,
+  void complete(ClassifiedMesh& plain, std::vector<Diagnostic>& diagnostics, ReachedModel* reached, StageClock& clock,
                 const MeshingContext& context) override;
   std::optional<OctreeBlocks> blocks(std::size_t blockSize, const Octree& octree) const override;
   LayerOptions withBorder(LayerOptions options) const override;
