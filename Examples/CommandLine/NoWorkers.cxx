@@ -17,11 +17,11 @@ Workers::Workers(int*, char***)
 {
   for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS"})
   {
-    const char* const ranks = std::getenv(variable);
-    if (ranks && std::atoi(ranks) > 1)
+    const char* const started = std::getenv(variable);
+    if (started && std::atoi(started) > 1)
     {
       std::cerr
-          << "atria: error: it was started on " << ranks
+          << "atria: error: it was started on " << started
           << " ranks, but the VTK that it was built with has no MPI: start it without mpiexec, or build it with a "
              "VTK that has the module ParallelMPI\n";
       std::exit(EXIT_FAILURE);

@@ -183,7 +183,7 @@ MeshedModel meshOctree(const PreparedModel& prepared, const Octree& octree, cons
   MeshedModel out;
   DualMeshOptions dual = options.mesh;
   dual.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;
-  const GridFrame frame = octree.frame();
+  const GridFrame& frame = octree.frame();
   const GroundedInput& grounded = prepared.grounded;
   const DrawnModel drawn = drawnModel(grounded.surface, grounded.options.site, model.kinds, frame, context);
   static_cast<DualMeshResult&>(out) = makeDualMesh(octree, model, dual, clock, context, kept, &drawn, port);

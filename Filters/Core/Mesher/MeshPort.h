@@ -60,7 +60,7 @@ public:
   /// Divides the elements of a mesh with layers that was made of `plain`.
   virtual OwnElements part(const DualMesh& /*plain*/, const LayerMesh& /*layer*/) const { return {}; }
   /// Learns how layers stand on the plain mesh. The layer's mesh was taken.
-  virtual void takeLayer(DualMesh /*plain*/, LayerMesh /*layer*/) {}
+  virtual void takeLayer(DualMesh&& /*plain*/, LayerMesh&& /*layer*/) {}
   virtual std::unique_ptr<LeaveOutExchange> leaveOutExchange(const DualMesh& mesh) const;
   /// Divides the elements of the mesh from which elements were left out. `numbers` is as in ImprovedMesh; without it
   /// the mesh is that before.

@@ -109,7 +109,7 @@ OwnElements RankMesh::part(const DualMesh& plain, const LayerMesh& layer) const
   return {isOwn, exchange()};
 }
 
-void RankMesh::takeLayer(DualMesh plain, LayerMesh layer)
+void RankMesh::takeLayer(DualMesh&& plain, LayerMesh&& layer)
 {
   below_.neighbors = std::move(plain.neighbors);
   below_.boundaryFaces = std::move(plain.boundaryFaces);

@@ -32,7 +32,7 @@ public:
   BlockPlan plan(ClassifiedMesh& plain, const OctreeBlocks& blocks, const MeshingContext& context) override;
   void endImprovement() override;
   OwnElements part(const DualMesh& plain, const LayerMesh& layer) const override;
-  void takeLayer(DualMesh plain, LayerMesh layer) override;
+  void takeLayer(DualMesh&& plain, LayerMesh&& layer) override;
   std::unique_ptr<LeaveOutExchange> leaveOutExchange(const DualMesh& mesh) const override;
   OwnElements part(const std::vector<Index>& numbers) const override;
   void finish(ImprovedMesh improved, DualMeshResult& result, StageClock& clock, const MeshingContext& context) override;
