@@ -2,6 +2,7 @@
 /// What ranks know of each other's grid points, against the whole grid.
 #include "Dual/Zones/Zones.h"
 #include "Ranks/SharedPoints.h"
+#include "Support/GlobalCount.h"
 #include "Support/MeshIt.h"
 #include "Support/QuietContext.h"
 #include "Support/Shapes.h"
@@ -58,9 +59,7 @@ protected:
       const Octree octree = share.makeOctree(whole.model, ShareRows{}, quietContext());
       const Grid grid(octree, whole.model);
       const SharedPoints part(share, octree, grid.points, quietContext());
-      const std::vector<std::size_t> counts = gatherAll(exchange, part.points().size());
-      test(part, grid,
-           static_cast<Index>(std::accumulate(counts.begin(), counts.begin() + exchange.rank(), std::size_t{0})));
+      test(part, grid, static_cast<Index>(countBefore(part.points().size(), exchange).before));
     });
   }
 };

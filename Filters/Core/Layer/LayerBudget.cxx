@@ -33,25 +33,24 @@ std::size_t elementsWithLayers(const Octree& octree, const SurfaceModel& model, 
   return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
-void checkLayerBudget(std::size_t elements, std::size_t memoryLimit)
+void checkLayerBudget(const Octree& octree, const SurfaceModel& model, const std::vector<LayerRule>& rules,
+                      std::size_t memoryLimit, const RunContext& context, const std::function<bool(Index leaf)>& isOwn,
+                      RankExchange& exchange)
 {
-  if (memoryLimit > 0 && elements > memoryLimit / bytesPerElement)
+  constexpr std::size_t mostLayers = 100;
+  const auto sum = [&](std::size_t own) { return sumAll(exchange, std::array{own})[0]; };
+  if (memoryLimit == 0 || sum(octree.leafCount()) <= memoryLimit / bytesPerElement / (1 + mostLayers))
+  {
+    return;
+  }
+  const std::size_t elements = sum(elementsWithLayers(octree, model, rules, context, isOwn));
+  if (elements > memoryLimit / bytesPerElement)
   {
     throw Error("with the layers on walls there are about " + inWords(static_cast<double>(elements)) +
                 " elements or more, which take " + inGigabytes(static_cast<double>(elements) * bytesPerElement) +
                 " of memory; there are " + inGigabytes(static_cast<double>(memoryLimit)) +
                 ": ask for fewer layers (NumberOfLayers, LayerRules; --layers), or raise the sizes at surfaces. "
                 "MemoryLimit (--memory-limit) says that there is more memory");
-  }
-}
-
-void checkLayerBudget(const Octree& octree, const SurfaceModel& model, const std::vector<LayerRule>& rules,
-                      std::size_t memoryLimit, const RunContext& context)
-{
-  constexpr std::size_t mostLayers = 100;
-  if (memoryLimit > 0 && octree.leafCount() > memoryLimit / bytesPerElement / (1 + mostLayers))
-  {
-    checkLayerBudget(elementsWithLayers(octree, model, rules, context), memoryLimit);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "Layer/LayerRules.h"
 #include "Octree/Tree/Octree.h"
+#include "Support/RankExchange.h"
 #include "Support/RunContext.h"
 #include "Surface/Model/SurfaceModel.h"
 
@@ -17,11 +18,10 @@ namespace atria {
 std::size_t elementsWithLayers(const Octree& octree, const SurfaceModel& model, const std::vector<LayerRule>& rules,
                                const RunContext& context, const std::function<bool(Index leaf)>& isCounted = {});
 
-/// Throws Error if `elements` need more than `memoryLimit` bytes; 0 is no limit.
-void checkLayerBudget(std::size_t elements, std::size_t memoryLimit);
-
-/// The same for the elements that elementsWithLayers counts.
+/// Throws Error if the elements that elementsWithLayers counts need more than `memoryLimit` bytes; 0 is no limit. If
+/// several processes have parts of the octree, `isOwn` tells which leaves this one counts; all get the same answer.
 void checkLayerBudget(const Octree& octree, const SurfaceModel& model, const std::vector<LayerRule>& rules,
-                      std::size_t memoryLimit, const RunContext& context);
+                      std::size_t memoryLimit, const RunContext& context,
+                      const std::function<bool(Index leaf)>& isOwn = {}, RankExchange& exchange = alone());
 
 } // namespace atria

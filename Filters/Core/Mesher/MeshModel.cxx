@@ -176,10 +176,8 @@ MeshedModel meshOctree(const PreparedModel& prepared, const Octree& octree, cons
                        DualStages* kept, MeshPort& port, StageClock& clock, const RunContext& context)
 {
   const SurfaceModel& model = prepared.model;
-  const std::vector<std::size_t> elements =
-      sumAll(port.exchange(),
-             std::vector{elementsWithLayers(octree, model, options.mesh.layers, context, port.ownLeaves(octree))});
-  checkLayerBudget(elements[0], options.sizing.memoryLimit);
+  checkLayerBudget(octree, model, options.mesh.layers, options.sizing.memoryLimit, context, port.ownLeaves(octree),
+                   port.exchange());
   MeshedModel out;
   DualMeshOptions dual = options.mesh;
   dual.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;

@@ -5,6 +5,7 @@
 #include "Dual/Vertices/TurnedDomain.h"
 #include "Dual/Zones/CrackClosing.h"
 #include "Mesher/MeshPort.h"
+#include "Support/NumberInOrder.h"
 #include "Support/Pieces.h"
 
 #include <algorithm>
@@ -13,28 +14,6 @@
 namespace atria {
 
 namespace {
-
-/// Numbers the items that `isUsed`, in order; noIndex for the others. Returns their count.
-template <typename IsUsed> Index numberInOrder(std::vector<Index>& numbers, const RunContext& context, IsUsed&& isUsed)
-{
-  const Pieces pieces(numbers.size());
-  std::vector<Index> firsts(pieces.count, 0);
-  context.executor.forEach(pieces.count, 4, [&](std::size_t piece) {
-    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
-    {
-      firsts[piece] += isUsed(i) ? 1 : 0;
-    }
-  });
-  const Index count = scan(firsts);
-  context.executor.forEach(pieces.count, 4, [&](std::size_t piece) {
-    Index next = firsts[piece];
-    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
-    {
-      numbers[i] = isUsed(i) ? next++ : noIndex;
-    }
-  });
-  return count;
-}
 
 /// The leaves kept elements have, in order; `numbers` becomes their vertex numbers.
 std::vector<Index> numberVertices(const GridPoints& points, const std::vector<Index>& elements, std::size_t leafCount,
@@ -51,7 +30,8 @@ std::vector<Index> numberVertices(const GridPoints& points, const std::vector<In
     }
   });
   numbers.resize(leafCount);
-  std::vector<Index> used(numberInOrder(numbers, context, [&](std::size_t leaf) { return isUsed[leaf] != 0; }));
+  std::vector<Index> used(
+      numberInOrder(numbers, context.executor, [&](std::size_t leaf) { return isUsed[leaf] != 0; }));
   context.executor.forEach(leafCount, 16384, [&](std::size_t leaf) {
     if (numbers[leaf] != noIndex)
     {
@@ -249,7 +229,7 @@ GridPoints pointsOf(StageClock& clock, const MeshingContext& context)
 std::vector<Index> numberElements(const Zones& zones, const std::vector<char>& kept, const RunContext& context)
 {
   std::vector<Index> numbers(zones.ofPoint.size());
-  numberInOrder(numbers, context, [&](std::size_t i) { return kept[zones.ofPoint[i]] != 0; });
+  numberInOrder(numbers, context.executor, [&](std::size_t i) { return kept[zones.ofPoint[i]] != 0; });
   return numbers;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Ranks/RankShare.h"
+#include "Support/GlobalCount.h"
 
 #include <algorithm>
 #include <iterator>
@@ -18,14 +19,6 @@ struct SharedPoint
 
   auto operator<=>(const SharedPoint&) const = default;
 };
-
-/// How many there are on the ranks before this one, and on all.
-struct GlobalCount
-{
-  std::size_t before;
-  std::size_t all;
-};
-GlobalCount countBefore(std::size_t own, RankExchange& exchange);
 
 /// Asks ranks for what they know of points: `rankOf` gives the rank of each point asked for, and `answer` what a rank
 /// says of one of its own.

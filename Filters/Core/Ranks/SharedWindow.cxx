@@ -43,18 +43,6 @@ std::vector<WindowPart> partsOfWindow(PlainShare own, Index cutTag, const RankSh
 
 } // namespace
 
-GlobalCount countBefore(std::size_t own, RankExchange& exchange)
-{
-  GlobalCount count{0, 0};
-  const std::vector<std::size_t> counts = gatherAll(exchange, own);
-  for (std::size_t rank = 0; rank < counts.size(); ++rank)
-  {
-    count.before += rank < static_cast<std::size_t>(exchange.rank()) ? counts[rank] : 0;
-    count.all += counts[rank];
-  }
-  return count;
-}
-
 Index SharedWindow::find(const SharedPoint& point) const
 {
   const auto middle = points.begin() + static_cast<std::ptrdiff_t>(vertexCount);

@@ -2,10 +2,10 @@
 #include "Dual/Zones/CellZones.h"
 
 #include "Support/Error.h"
+#include "Support/GlobalCount.h"
 #include "Support/Sorting.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 namespace atria {
@@ -72,9 +72,7 @@ std::vector<DepthLink> joinLinks(const SurfaceDepths& depths, Index first, const
 bool fillZone(Index surface, const SurfaceDepths& depths, const GridPart& part, std::vector<std::int32_t>& zoneOf)
 {
   RankExchange& exchange = part.exchange();
-  const std::vector<std::size_t> counts = gatherAll(exchange, depths.parts.size());
-  const auto first =
-      static_cast<Index>(std::accumulate(counts.begin(), counts.begin() + exchange.rank(), std::size_t{0}));
+  const auto first = static_cast<Index>(countBefore(depths.parts.size(), exchange).before);
   const std::optional<std::vector<int>> outside =
       depthsOutside(joinAll(exchange, depths.parts), joinLinks(depths, first, part));
   if (isAnywhere(!depths.isClosed || !outside, exchange))

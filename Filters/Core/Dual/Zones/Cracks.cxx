@@ -2,10 +2,10 @@
 #include "Dual/Zones/Cracks.h"
 
 #include "Dual/Zones/CrackClosing.h"
+#include "Support/GlobalCount.h"
 #include "Surface/Search/Distance.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace atria {
 
@@ -328,9 +328,7 @@ std::vector<Crack> findCracks(const BoundaryGaps& gaps, const Zones& zones, cons
   std::vector<Index> points(steps.size());
   std::ranges::transform(steps, points.begin(), &CrackStep::point);
   // Until the owner of its point is asked, a step is known by its number among those of all processes.
-  const std::vector<std::size_t> counts = gatherAll(part.exchange(), steps.size());
-  const auto first =
-      static_cast<Index>(std::accumulate(counts.begin(), counts.begin() + part.exchange().rank(), std::size_t{0}));
+  const auto first = static_cast<Index>(countBefore(steps.size(), part.exchange()).before);
   for (Index i = 0; i < steps.size(); ++i)
   {
     steps[i].point = first + i;

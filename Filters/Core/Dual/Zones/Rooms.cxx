@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/Zones/Rooms.h"
 
+#include "Dual/Grid/JoinedPoints.h"
 #include "Support/UnionFind.h"
 
 #include <algorithm>
@@ -67,33 +68,6 @@ public:
   {
     const std::int32_t code = crossings.neighbors[point][direction];
     return code >= 0 && (blocked[point] & bitOf(direction)) == 0 ? static_cast<Index>(code) : noIndex;
-  }
-
-  /// Returns the sets of own points that are joined to each other.
-  PointSets setsOfOwn(const IndexRange& own, const RunContext& context) const
-  {
-    UnionFind joined(own.size());
-    for (Index i = 0; i < own.size(); ++i)
-    {
-      if (i % 65536 == 0)
-      {
-        context.progress.check();
-      }
-      for (int direction = 1; direction < 6; direction += 2)
-      {
-        if (const Index other = nextTo(own.begin + i, direction); other != noIndex && own.contains(other))
-        {
-          joined.join(i, other - own.begin);
-        }
-      }
-    }
-    PointSets sets{std::vector<Index>(own.size())};
-    for (Index i = 0; i < own.size(); ++i)
-    {
-      const Index root = joined.find(i); // the smallest of its set, so numbered before
-      sets.ofOwn[i] = root == i ? sets.count++ : sets.ofOwn[root];
-    }
-    return sets;
   }
 
   /// Returns the facts about sets of own points.
@@ -299,9 +273,9 @@ Rooms findRooms(const Zones& zones, const std::vector<ZoneSummary>& summaries, c
   context.progress.check();
   const PartedPoints points(crossings, zoneFaces, model);
   const IndexRange& own = part.points();
-  const PointSets sets = points.setsOfOwn(own, context);
-  const JoinedSets joined =
-      part.join(sets, [&](Index point, int direction) { return points.nextTo(point, direction); });
+  const auto nextTo = [&](Index point, int direction) { return points.nextTo(point, direction); };
+  const PointSets sets = joinOwn(own, nextTo, context);
+  const JoinedSets joined = part.join(sets, nextTo);
   const std::vector<RoomPart> parts = part.sum(joined, points.describe(sets, own, zones, summaries, options),
                                                [](const RoomPart& more, RoomPart& sum) { sum.add(more); });
   const std::vector<Index>& ofSet = joined.ofSet[static_cast<std::size_t>(part.exchange().rank())];

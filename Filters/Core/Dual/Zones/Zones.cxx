@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/Zones/Zones.h"
 
+#include "Dual/Grid/JoinedPoints.h"
 #include "Octree/Tree/GeometryLists.h"
 #include "Support/Error.h"
 #include "Support/Pieces.h"
-#include "Support/UnionFind.h"
 
 #include <algorithm>
 #include <numeric>
@@ -17,81 +17,6 @@ namespace {
 
 constexpr SideBits bottom = SideBits{1} << zMin;
 constexpr SideBits top = SideBits{1} << zMax;
-
-/// Sets of own points that uncut edges between them join. The root of a set is its first point; both are counted from
-/// the first own point.
-UnionFind joinOwn(const Crossings& crossings, const IndexRange& own, const RunContext& context)
-{
-  // Points of a piece are joined with each other first, by all threads.
-  constexpr std::size_t length = 16384;
-  const std::size_t count = own.size();
-  UnionFind sets(count);
-  std::vector<std::vector<std::pair<Index, Index>>> between((count + length - 1) / length);
-  context.executor.forEach(between.size(), 1, [&](std::size_t piece) {
-    context.progress.check();
-    const std::size_t begin = piece * length;
-    const std::size_t end = std::min(begin + length, count);
-    for (std::size_t point = begin; point < end; ++point)
-    {
-      for (int direction = 1; direction < 6; direction += 2)
-      {
-        const std::int32_t neighbor = crossings.neighbors[own.begin + point][direction];
-        if (neighbor < 0 || !own.contains(static_cast<Index>(neighbor)))
-        {
-          continue;
-        }
-        const Index other = static_cast<Index>(neighbor) - own.begin;
-        if (other >= begin && other < end)
-        {
-          sets.join(static_cast<Index>(point), other);
-        }
-        else
-        {
-          between[piece].emplace_back(static_cast<Index>(point), other);
-        }
-      }
-    }
-  });
-  for (const auto& pairs : between)
-  {
-    context.progress.check();
-    for (const auto& [a, b] : pairs)
-    {
-      sets.join(a, b);
-    }
-  }
-  return sets;
-}
-
-PointSets setsOfOwn(const Crossings& crossings, const IndexRange& own, const RunContext& context)
-{
-  UnionFind joined = joinOwn(crossings, own, context);
-  PointSets sets{std::vector<Index>(own.size())};
-  const Pieces pieces(own.size());
-  std::vector<Index> firsts(pieces.count, 0);
-  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
-    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
-    {
-      sets.ofOwn[i] = joined.find(static_cast<Index>(i));
-      firsts[piece] += sets.ofOwn[i] == i ? 1 : 0;
-    }
-  });
-  joined.reset(0);
-  sets.count = scan(firsts);
-  std::vector<Index> numbers(own.size()); // of roots
-  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
-    Index next = firsts[piece];
-    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
-    {
-      if (sets.ofOwn[i] == i)
-      {
-        numbers[i] = next++;
-      }
-    }
-  });
-  context.executor.forEach(own.size(), Pieces::length, [&](std::size_t i) { sets.ofOwn[i] = numbers[sets.ofOwn[i]]; });
-  return sets;
-}
 
 /// Facts about a zone, or about a part of it.
 struct ZonePart
@@ -242,11 +167,12 @@ Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const Grid
 {
   context.progress.check();
   const IndexRange& own = part.points();
-  const PointSets sets = setsOfOwn(crossings, own, context);
-  const JoinedSets joined = part.join(sets, [&](Index point, int direction) {
+  const auto nextTo = [&](Index point, int direction) {
     const std::int32_t code = crossings.neighbors[point][direction];
     return code >= 0 ? static_cast<Index>(code) : noIndex;
-  });
+  };
+  const PointSets sets = joinOwn(own, nextTo, context);
+  const JoinedSets joined = part.join(sets, nextTo);
   const std::vector<ZonePart> whole = part.sum(joined, describe(sets, crossings, own, surfaceCount),
                                                [](const ZonePart& more, ZonePart& sum) { sum.add(more); });
   std::vector<Index> order(whole.size());
