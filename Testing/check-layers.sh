@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Dependencies go one way: the core knows no VTK, filters and readers or writers do not know each other, and a room of
-# the core includes only itself and those before it, so that there is no cycle. No two types of a namespace have one name.
+# the core includes only itself and those before it, so that there is no cycle. No two types of a namespace have one name,
+# and no message names an option.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -66,6 +67,13 @@ twice=$(find Filters IO -name '*.h' -exec awk '
   /^(struct|class) [A-Za-z]+( final)?( :.*)?$/ { print namespace "::" $2 }' {} + | sort | uniq -d)
 if [ -n "$twice" ]; then
   printf 'Types that two headers define:\n%s\n' "$twice" >&2
+  status=1
+fi
+
+# Messages name properties; the command line puts its options in their place.
+options=$(grep -rnE --include='*.h' --include='*.cxx' '"([^"]*[^-A-Za-z0-9"])?--[a-z]' Filters IO || true)
+if [ -n "$options" ]; then
+  printf 'Messages that name options of the command line:\n%s\n' "$options" >&2
   status=1
 fi
 exit "$status"

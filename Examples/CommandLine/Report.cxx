@@ -223,7 +223,7 @@ Json diagnosticsOf(vtkPolyData* diagnostics)
     vtkStringArray* texts = stringsOf(diagnostics, name);
     for (vtkIdType i = 0; texts && i < texts->GetNumberOfValues(); ++i)
     {
-      warnings.push_back(texts->GetValue(i));
+      warnings.push_back(inOptions(texts->GetValue(i)));
     }
     counts[name] = warnings;
   }

@@ -15,7 +15,6 @@ constexpr std::array optionOf{
     std::pair{"DomainMode Site", "--site"},
     std::pair{"DomainMode FromSurfaces", "--model-bounds"},
     std::pair{"DomainMode Explicit", "--domain"},
-    std::pair{"FromSurfaces", "--model-bounds"},
     std::pair{"DomainBounds", "--domain"},
     std::pair{"DomainAngle", "--domain-angle"},
     std::pair{"DomainSides", "--domain-sides"},
@@ -60,6 +59,7 @@ constexpr std::array optionOf{
     std::pair{"NumberOfSweeps", "--sweeps"},
     std::pair{"LengthUnit", "--unit"},
     std::pair{"UpAxis", "--up"},
+    std::pair{"SurfaceBy Group", "--surfaces-by group"},
     std::pair{"SurfaceBy", "--surfaces-by"},
     std::pair{"Recenter", "--recenter"},
     std::pair{"MergeDuplicateFaces", "--keep-duplicates"},
@@ -94,7 +94,7 @@ constexpr std::array optionOf{
     std::pair{"AgeOfAir", "--age-of-air"},
     std::pair{"PatchRules", "--patch"},
     std::pair{"ConditionRules", "--condition"},
-    std::pair{"\\(Explicit, ", "("},
+    std::pair{"by Seeds", "by --seed"},
 };
 
 } // namespace
@@ -104,11 +104,7 @@ std::string inOptions(const std::string& message)
   std::string text = message;
   for (const auto& [property, option] : optionOf)
   {
-    const std::string word(property);
-    std::string pattern = word[0] == '\\' ? "" : "\\b";
-    pattern += word;
-    pattern += word.back() == ' ' ? "" : "\\b";
-    text = std::regex_replace(text, std::regex(pattern), option);
+    text = std::regex_replace(text, std::regex("\\b" + std::string(property) + "\\b"), option);
   }
   // A message that names the option itself has it twice now.
   static const std::regex again(R"((--[a-z-]+)((, |; | or | and | with )\1)+(?![a-z-]))");

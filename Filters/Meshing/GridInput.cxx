@@ -4,7 +4,7 @@
 #include "AddArray.h"
 #include "Mesher/SuggestedSizes.h"
 #include "Octree/Sizing/SizeRules.h"
-#include "Ranks.h"
+#include "Ranks/Ranks.h"
 #include "Support/Error.h"
 #include "Support/MachineMemory.h"
 #include "Support/Progress.h"

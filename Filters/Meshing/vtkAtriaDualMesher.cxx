@@ -3,19 +3,19 @@
 
 #include "AddArray.h"
 #include "AlgorithmProgress.h"
-#include "ControllerExchange.h"
-#include "DealtMesh.h"
 #include "GridInput.h"
 #include "Mesher/MeshModel.h"
 #include "Mesher/SuggestedSizes.h"
 #include "PropertyRange.h"
-#include "Ranks.h"
+#include "Ranks/ControllerExchange.h"
+#include "Ranks/DealtMesh.h"
+#include "Ranks/Ranks.h"
+#include "Ranks/VtkSharedMesh.h"
 #include "Support/PatternRule.h"
 #include "Support/StageClock.h"
 #include "VtkDualMesh.h"
 #include "VtkOctree.h"
 #include "VtkRecordedPatches.h"
-#include "VtkSharedMesh.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>

@@ -4,50 +4,76 @@
  * @class   vtkAtriaDualMesher
  * @brief   conformal hexahedral-dominant mesh of the space around surfaces
  *
- * The mesh is the dual of a 2:1 balanced octree: a vertex in each octant, an element around each grid point. Octants
- * whose edges surfaces cut have their vertex on them, and a face whose octree edge a surface cuts is a piece of that
- * surface, so that open sheets without thickness, T-junctions and closed solids are all treated alike. The mesh is
- * conformal by construction.
+ * Meshes the air around, inside and between surfaces. These may be open sheets without thickness, sheets that meet or
+ * cross, and closed solids, in any mixture. The model need not be watertight.
  *
- * Input port 0: surfaces; see vtkAtriaGridAlgorithm. Input port 1 (optional): an octree from vtkAtriaOctreeSource;
- * sizes and domain are then taken from it. A surface that lies on a side of the domain is that side: it refines it and
- * names it.
+ * The mesh is the dual of a 2:1 balanced octree: it has a vertex in each octant and an element around each grid point.
+ * An octant whose edges are cut by surfaces has its vertex on these surfaces. A face whose octree edge is cut by a
+ * surface belongs to that surface. The mesh is therefore conformal and has no hanging nodes.
  *
- * Output port 0: vtkUnstructuredGrid of hexahedra, wedges, pyramids and polyhedra. Cell arrays: `ZoneId` (int; zones
- * are numbered from the largest, omitted ones included), `Level` (unsigned char, of the finest octant around the
- * element). Field arrays: `MaxLevel`; `PatchName`, `PatchFaceCount` and `PatchFace`, the patches of port 1, which keep
- * their names this way if the mesh is passed on alone. The same input and properties give the same bits for any number
- * of threads.
+ * @par Input ports
+ * - 0: surfaces, as vtkPolyData; see vtkAtriaGridAlgorithm. A surface that lies on a side of the domain becomes that
+ *   side.
+ * - 1, optional: an octree from vtkAtriaOctreeSource. Sizes and domain are then taken from it.
  *
- * With layers, all walls (surfaces) have a layer of elements, one prism on each side of every wall, or several on top
- * of each other; prisms are the last elements. They taper to nothing where there is no room. If all octants have one
- * size and edges of solids run across the grid, a single layer is in two halves on these solids, with a row of
- * hexahedra along the edges: some elements there would otherwise have an angle of 180 degrees. It counts as one layer.
+ * @par Output port 0: the mesh
+ * A vtkUnstructuredGrid of hexahedra, wedges, pyramids and polyhedra.
+ * - Cell arrays: `ZoneId` (int; zones are numbered from the largest, omitted ones included) and `Level` (unsigned char,
+ *   level of the finest octant around the element).
+ * - Field arrays: `MaxLevel`; `PatchName`, `PatchFaceCount` and `PatchFace`, which record the patches of port 1, so
+ * that a writer finds their names if the mesh is passed on alone.
  *
- * Output port 1: vtkPartitionedDataSetCollection, one named vtkPolyData per patch. A surface with elements on its front
- * and its back is two patches, `<name>_front` and `<name>_back`; the two sides have separate points, except at boundary
- * edges. Bare domain sides are `xMin` … `zMax`, of prisms also `domainSide1` …. Cell arrays: `SurfaceId` (int; -1 on
- * bare domain sides), `OwnerCellId` (vtkIdType, cell of port 0), `Side` (int; 0 front, 1 back), `LayerCount` (int) and
- * `LayerThickness` (double): layers at the face. Point array: `VolumePointId` (vtkIdType, point of port 0). Every face
- * is a face of its owner, counter-clockwise seen from outside the mesh.
+ * @par Output port 1: the patches
+ * A vtkPartitionedDataSetCollection with one named vtkPolyData per patch. A surface with elements on its front and its
+ * back is two patches, `<name>_front` and `<name>_back`, with points of their own except at boundary edges. Sides of
+ * the domain without a surface are `xMin` … `zMax`, those of prisms `domainSide1` …. Every face is a face of its owner,
+ * counter-clockwise seen from outside the mesh.
+ * - Cell arrays: `SurfaceId` (int; -1 on sides of the domain without a surface), `OwnerCellId` (vtkIdType, cell of
+ *   port 0), `Side` (int; 0 front, 1 back), `LayerCount` (int, layers at the face) and `LayerThickness` (double, of all
+ *   of them).
+ * - Point array: `VolumePointId` (vtkIdType, point of port 0).
  *
- * Output port 2: vtkPolyData with a line or vertex for each place where the mesh could not follow the model, or where
- * one should look: MergedSheets, where an octree edge is cut more than once and the sheets became one (line from the
- * first to the last); UnresolvedFeature, where pieces that do not meet share a vertex; LeakPath, the path from a sealed
- * seed to the outside; ClosedCrack, a gap beside a boundary edge, narrower than an octant, that the mesh closes;
- * OpenCrack, one that stays open; DetachedVertex, a vertex that had to leave the model for elements to be valid, with
- * the line to its place on the model; Cluster, a vertex in an octant with more pieces of the model than it can
- * represent; LeftOutElement, the middle of an element at a wall or a side of the domain that is not in the mesh because
- * it could not be made valid. Cell arrays: `Diagnostic` (int, index into the field array `DiagnosticName`), `CellId`
- * (vtkIdType; -1 for a leak that is not in the mesh), `Width` (double, of leaks and cracks; for omitted elements, the
- * edge of a cube of their volume). Field array `SurfaceWithoutFaces`: names of surfaces that got no face. Field arrays
- * `Zone...` have an entry for each zone, omitted ones included, by ZoneId; `Leak...` one for each leak: see
- * docs/arrays.md. Field arrays `LayerSurface`, `LayersAsked`, `LayerArea`, `LayerCoverage`, `LayerFullCoverage`,
- * `LayerThicknessRatio`: results of layers, an entry for each surface that was to have some. Field array
- * `SizingWarning`: sizes that MaxElements coarsened, if any. Field arrays `RepairName` and `RepairValue`: changes that
- * made the surfaces valid, and `HiddenDetailSurface`: surfaces with details too fine for the mesh; see docs/arrays.md.
+ * @par Output port 2: diagnostics
+ * A vtkPolyData with a vertex or line for each place where the mesh could not follow the model, or where one should
+ * look. The cell array `Diagnostic` (int) is the index of its kind in the field array `DiagnosticName`:
+ * - `MergedSheets`: surfaces cut an octree edge more than once, and became one there. The line goes from the first to
+ *   the last.
+ * - `UnresolvedFeature`: parts of the model that do not meet share a vertex.
+ * - `LeakPath`: the way from a sealed seed to the outside.
+ * - `ClosedCrack`, `OpenCrack`: a gap beside a boundary edge, narrower than an octant, that the mesh closes or leaves
+ *   open.
+ * - `DetachedVertex`: a vertex that had to leave the model for elements to be valid. The line goes to its place there.
+ * - `Cluster`: a vertex in an octant with more parts of the model than it can represent.
+ * - `LeftOutElement`: the middle of an element that is not in the mesh because it could not be made valid.
  *
- * Elements may still be inverted where the model is finer than the octants; vtkAtriaMeshQuality finds them.
+ * The other cell arrays are `CellId` (vtkIdType; -1 for a leak outside of the mesh) and `Width` (double, of leaks and
+ * cracks; for elements left out, the edge of a cube of their volume). Field arrays hold results by surface, zone, room,
+ * opening and leak, the audit of the mesh against the model, repairs and warnings. docs/arrays.md lists them.
+ *
+ * @par Layers
+ * All surfaces get a layer of elements on each side, or several on top of each other (NumberOfLayers, layer rules).
+ * Their elements come last in the mesh. Layers taper to nothing where there is no room. If all octants have one size
+ * and edges of solids run across the grid, a single layer is in two halves on these solids, with a row of hexahedra
+ * along the edges, and counts as one.
+ *
+ * @par Threads and ranks
+ * The same input and properties give the same bits for any number of threads. With a BlockSize, MPI ranks make the mesh
+ * together, again with the same bits. Without, the first rank makes it and deals it out.
+ *
+ * @warning
+ * Elements may be inverted where the model is finer than the octants. vtkAtriaMeshQuality finds and counts them.
+ *
+ * @warning
+ * Single-precision coordinates far from the origin lose centimeters. Readers can move the model (Recenter).
+ *
+ * @par References
+ * - T. Ju, F. Losasso, S. Schaefer and J. Warren, Dual contouring of Hermite data, ACM Trans. Graphics 21 (2002).
+ * - S. Schaefer and J. Warren, Dual marching cubes: primal contouring of dual grids, Pacific Graphics (2004).
+ *
+ * docs/algorithm.md describes the method.
+ *
+ * @sa
+ * vtkAtriaOctreeSource vtkAtriaPreflight vtkAtriaMeshQuality vtkAtriaMeshOptimizer vtkAtriaOpenFOAMWriter
  */
 #ifndef vtkAtriaDualMesher_h
 #define vtkAtriaDualMesher_h
@@ -145,8 +171,9 @@ public:
 
   ///@{
   /**
-   * Height of the first layer on the wall; all layers are lower where there is no room. Default 0: all layers together
-   * are about a third as high as the elements beside the wall, and up to half as high on curved walls; at least 0.
+   * Height of the first layer on the wall, in model units. It is kept where elements stay sound; growth gives way
+   * before it does, between 1 and 2. Default 0: all layers together are about a third as high as the elements beside
+   * the wall, and up to half as high on curved walls. At least 0.
    */
   vtkAtriaSetInRangeMacro(FirstLayerHeight, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FirstLayerHeight, double);

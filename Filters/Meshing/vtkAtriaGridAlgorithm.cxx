@@ -6,7 +6,7 @@
 #include "Mesher/SuggestedSizes.h"
 #include "Octree/Sizing/SizeRules.h"
 #include "PropertyRange.h"
-#include "Ranks.h"
+#include "Ranks/Ranks.h"
 
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkInformation.h>

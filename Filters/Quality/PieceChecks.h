@@ -2,9 +2,9 @@
 /// checkMesh's checks for a mesh whose pieces are on several ranks.
 #pragma once
 
-#include "MeshPiece.h"
 #include "Quality/Checks/MeshChecks.h"
 #include "QualityOutputs.h"
+#include "Ranks/MeshPiece.h"
 
 namespace atria {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkAtriaMeshDivider.h"
 
-#include "Ranks.h"
+#include "Ranks/Ranks.h"
 #include "VtkFaceMesh.h"
 
 #include <vtkInformation.h>

@@ -5,7 +5,7 @@
 #include "AlgorithmProgress.h"
 #include "Optimize/AnyMesh/MeshOptimizer.h"
 #include "PropertyRange.h"
-#include "Ranks.h"
+#include "Ranks/Ranks.h"
 #include "VtkArrays.h"
 #include "VtkFaceMesh.h"
 

@@ -5,7 +5,7 @@
 #include "AlgorithmProgress.h"
 #include "PropertyRange.h"
 #include "Quality/Checks/WorstElements.h"
-#include "Ranks.h"
+#include "Ranks/Ranks.h"
 #include "Support/Error.h"
 #include "Support/Text.h"
 #include "VtkArrays.h"

@@ -163,7 +163,7 @@ std::vector<std::string> warnOfSheets(const CaseOfDirection& flow)
         warnings.push_back("'" + name + "' and '" + other +
                            "' are the sides of one sheet, and air is blown from both, " +
                            foamNumber(flowRateOf(flow, i) + flowRateOf(flow, j)) +
-                           " m3/s in all. To blow from one side, say --patch " + other + " wall");
+                           " m3/s in all. To blow from one side, say PatchRules " + other + " wall");
       }
     }
   }
@@ -179,7 +179,7 @@ std::vector<std::string> warnOfWindless(const Windless& windless, const std::vec
     warnings.push_back(
         "the wind does not enter at inlet '" + name + "'" + in +
         ": it blows along it or out of it, and no air comes in there. Turn the wind, or let the inlet blow by "
-        "itself, such as --patch " +
+        "itself, such as PatchRules " +
         name + " inlet:1m/s");
   }
   return warnings;

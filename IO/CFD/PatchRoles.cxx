@@ -162,18 +162,18 @@ void requireInletAndOutlet(const CaseMesh& mesh, const std::vector<PatchChoice>&
   std::ranges::copy(namesOf(mesh, choices, PatchRole::InletOutlet), std::back_inserter(outlets));
   if (inlets.empty() && outlets.empty())
   {
-    throw Error(
-        "no patch lets air into the room, and none out. Name them, such as --patch NAME inlet --patch NAME outlet");
+    throw Error("no patch lets air into the room, and none out. Name them, such as PatchRules NAME inlet and "
+                "PatchRules NAME outlet");
   }
   if (outlets.empty())
   {
     throw Error("no patch lets air out of the room: it has inlets only (" + joined(inlets) +
-                "). Name an outlet, such as --patch NAME outlet");
+                "). Name an outlet, such as PatchRules NAME outlet");
   }
   if (inlets.empty())
   {
     throw Error("no patch blows air into the room: it has outlets only (" + joined(outlets) +
-                "), and nothing would flow. Name an inlet, such as --patch NAME inlet");
+                "), and nothing would flow. Name an inlet, such as PatchRules NAME inlet");
   }
 }
 
@@ -279,7 +279,7 @@ std::vector<PatchChoice> choosePatches(const CaseMesh& mesh, const FlowCaseSetti
     if (!has(role))
     {
       throw Error(std::string("no patch lets air ") + what + ": the mesh has no plane, upright side across the wind. " +
-                  "Name one, such as --patch NAME " + (role == PatchRole::Inlet ? "inlet" : "outlet") +
+                  "Name one, such as PatchRules NAME " + (role == PatchRole::Inlet ? "inlet" : "outlet") +
                   (wouldBeRoom(mesh, settings) ? "; without wind it is a room" : ""));
     }
   }

@@ -3,7 +3,7 @@
 
 #include "AlgorithmProgress.h"
 #include "OutputFolders.h"
-#include "Ranks.h"
+#include "Ranks/Ranks.h"
 #include "VtkFaceMesh.h"
 
 #include <vtkDataArray.h>

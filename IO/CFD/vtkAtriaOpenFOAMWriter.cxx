@@ -2,15 +2,15 @@
 #include "vtkAtriaOpenFOAMWriter.h"
 
 #include "AlgorithmProgress.h"
-#include "ControllerExchange.h"
 #include "Decomposition.h"
-#include "MeshPiece.h"
 #include "OpenFOAMCase.h"
 #include "OutputFolders.h"
-#include "PieceCase.h"
 #include "PropertyRange.h"
-#include "RankProcessors.h"
-#include "VtkShares.h"
+#include "Ranks/ControllerExchange.h"
+#include "Ranks/MeshPiece.h"
+#include "Ranks/PieceCase.h"
+#include "Ranks/RankProcessors.h"
+#include "Ranks/VtkShares.h"
 
 #include <vtkErrorCode.h>
 #include <vtkMultiProcessController.h>

@@ -7,6 +7,7 @@
 #include "Support/Text.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace atria::scene {
 
@@ -26,14 +27,9 @@ std::vector<char> matching(const Surfaces& surfaces, const std::vector<std::stri
   std::vector<char> matches(names.size(), 0);
   for (const std::string& pattern : patterns)
   {
-    bool met = false;
-    for (std::size_t i = 0; i < names.size(); ++i)
-    {
-      const bool match = matchesPattern(pattern, names[i]);
-      met = met || match;
-      matches[i] = matches[i] || match;
-    }
-    if (!met)
+    const std::vector<char> some = matchingNames(pattern, names);
+    std::ranges::transform(matches, some, matches.begin(), std::bit_or<>());
+    if (std::ranges::find(some, 1) == some.end())
     {
       diagnostics.warn("no surface matches '" + pattern + "', which is to be left out; " +
                        namesInstead(pattern, names));

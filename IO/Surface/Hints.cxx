@@ -149,9 +149,8 @@ constexpr double shortest = 0.5;
 /// Judges a model whose file states meters; the program that wrote it may be wrong.
 void judgeUnitOfFile(const Scene& scene, const Vec3& size, const Stated& stated, std::vector<std::string>& hints)
 {
-  const std::string advice =
-      std::string("; by its file lengths are meters: if they are not, ") +
-      (stated.unitConverted ? "correct them by a factor (Scale, --scale)" : "state the unit (LengthUnit, --unit)");
+  const std::string advice = std::string("; by its file lengths are meters: if they are not, ") +
+                             (stated.unitConverted ? "correct them by Scale" : "state the unit (LengthUnit)");
   if (!judgeWalls(scene, size, true, advice, hints) && size.maxCoeff() < shortest)
   {
     hints.push_back("the model would measure " + lengths(size, 1.0) + ", less than anything with rooms" + advice);
@@ -163,7 +162,7 @@ void judgeUnit(const Scene& scene, const std::string& head, const std::vector<st
 {
   constexpr double tallest = 1000.0; // no building is
   constexpr double longest = 20000.0;
-  const std::string advice = "; lengths are taken to be meters: state the unit (LengthUnit, --unit), if only meters";
+  const std::string advice = "; lengths are taken to be meters: state the unit (LengthUnit), if only meters";
   const std::string unit = mentionedUnit(words);
   if (!unit.empty())
   {
@@ -288,7 +287,7 @@ const std::string lyingText = "the model would lie on its side: all of it has a 
 void judgeUpAxis(const Scene& scene, const std::vector<std::string_view>& words, const Box3& box,
                  std::vector<std::string>& hints)
 {
-  const std::string advice = "; z is taken to be up: state which is (UpAxis, --up), if only z";
+  const std::string advice = "; z is taken to be up: state which is (UpAxis), if only z";
   if (mentionsYUp(words))
   {
     hints.push_back("the file mentions that y is up" + advice);
@@ -327,7 +326,7 @@ std::vector<std::string> hintsOf(const Scene& scene, std::string_view head, cons
   {
     if (liesOnSide(scene, box))
     {
-      hints.push_back(lyingText + "; if another axis is up than its file says, state it (UpAxis, --up)");
+      hints.push_back(lyingText + "; if another axis is up than its file says, state it (UpAxis)");
     }
   }
   else if (!stated.upAxis)
@@ -339,9 +338,8 @@ std::vector<std::string> hintsOf(const Scene& scene, std::string_view head, cons
   const double distance = std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
   if (!stated.recentered && distance > far && distance > 10.0 * box.size().norm())
   {
-    hints.push_back(
-        "the model lies " + shortNumber(distance) +
-        " m from the origin, where single precision loses centimeters; Recenter or --recenter moves it there");
+    hints.push_back("the model lies " + shortNumber(distance) +
+                    " m from the origin, where single precision loses centimeters; Recenter moves it there");
   }
   return hints;
 }
@@ -369,7 +367,7 @@ std::string hintAtGroupNames(const Scene& scene)
   groups.resize(std::min<std::size_t>(groups.size(), 3));
   return "surfaces are called '" + scene.shapes.front().name +
          "' and the like; the groups that hold them have names (" + joined(groups) + more +
-         "): take those (SurfaceBy, --surfaces-by group)";
+         "): take those (SurfaceBy Group)";
 }
 
 } // namespace atria::scene

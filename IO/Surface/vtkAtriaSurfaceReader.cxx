@@ -10,7 +10,7 @@
 #include "AddArray.h"
 #include "AlgorithmProgress.h"
 #include "PropertyRange.h"
-#include "Ranks.h"
+#include "Ranks/Ranks.h"
 #include "Support/Error.h"
 #include "Support/Memory.h"
 #include "VtkArrays.h"

@@ -122,11 +122,8 @@ TEST_P(CreaseSheets, LeaveNoElementWithAnAngleOf180Degrees)
   const Meshed meshed = meshAbout(solid, 1);
   const DualMesh& mesh = meshed.mesh();
   const auto plainElements = static_cast<Index>(meshAbout(solid, 0).mesh().elementCount());
-  EXPECT_TRUE(isConformal(mesh, plainElements));
+  EXPECT_TRUE(isValid(mesh, plainElements));
   EXPECT_TRUE(facesAreUnique(mesh));
-  EXPECT_TRUE(elementsAreClosed(mesh));
-  EXPECT_TRUE(boundaryIsWatertight(mesh));
-  EXPECT_GT(std::ranges::min(volumes(mesh)), 0.0);
   EXPECT_LT(widestAngle(meshed), 178.0);
   const auto [attached, detached] = farthestFromModel(meshed);
   EXPECT_LT(attached, 1e-6);

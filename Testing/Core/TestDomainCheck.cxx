@@ -76,7 +76,7 @@ TEST(DomainCheck, ADomainBesideOrAboveTheModelIsRefused)
     SCOPED_TRACE(box.min.transpose());
     EXPECT_THAT(errorOf(house(), within(box)), AllOf(HasSubstr("holds nothing of the model"),
                                                      HasSubstr("the model x from 0 to 8, y from 0 to 6, z from 0 to 5"),
-                                                     HasSubstr("--domain"), HasSubstr("Automatic")));
+                                                     HasSubstr("DomainBounds"), HasSubstr("Automatic")));
   }
   EXPECT_THAT(errorOf(house(), within({Vec3(20, 0, 0), Vec3(41, 20, 20)})), HasSubstr("it reaches x from 20 to 41"));
   EXPECT_THAT(check({}, within(around)), IsEmpty()) << "a domain without a model is one";
@@ -94,7 +94,7 @@ TEST(DomainCheck, TellsWhichSidesCutWhichSurfaces)
   const auto found = check(house(), within({Vec3(-20, -20, 0), Vec3(4, 20, 4)}));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_THAT(found[0], HasSubstr("cuts through surfaces at xMax ('Walls', 'Roof') and zMax ('Roof'),"));
-  EXPECT_THAT(found[0], AllOf(HasSubstr("--domain"), HasSubstr("--terrain")));
+  EXPECT_THAT(found[0], AllOf(HasSubstr("DomainBounds"), HasSubstr("TerrainName")));
   // Of many surfaces the first few.
   TriangleSurface row;
   for (int i = 0; i < 9; ++i)

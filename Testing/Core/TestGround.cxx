@@ -238,8 +238,8 @@ TEST(Ground, ARatioOfZeroLeavesAllAsDrawnAndWarns)
   EXPECT_EQ(found.report.floor, 1.0);
   EXPECT_THAT(namesOf(found.report.hovering), ElementsAre("B", "C"));
   EXPECT_THAT(found.report.warnings, ElementsAre(AllOf(HasSubstr("thinner than an element"), HasSubstr("'B' by 0.4 m"),
-                                                       Not(HasSubstr("'C'")), HasSubstr("--ground-snap")),
-                                                 AllOf(HasSubstr("'C' by 1.8 m"), HasSubstr("--ground-snap"))));
+                                                       Not(HasSubstr("'C'")), HasSubstr("GroundSnapRatio")),
+                                                 AllOf(HasSubstr("'C' by 1.8 m"), HasSubstr("GroundSnapRatio"))));
   // By less than C hovers.
   EXPECT_THAT(namesOf(ground(threeHouses(), withRatio(0.1)).report.letDown), ElementsAre("B"));
 }
@@ -251,7 +251,7 @@ TEST(Ground, OfGivenBoundsIsTheirBottom)
   options.bounds = {Vec3(-50, -50, 1.0), Vec3(100, 60, 40)};
   const GroundedModel found = ground(threeHouses(), options);
   EXPECT_TRUE(isAsDrawn(threeHouses(), found));
-  EXPECT_THAT(found.report.warnings, ElementsAre(AllOf(HasSubstr("'B' by 0.4 m"), HasSubstr("--domain"))));
+  EXPECT_THAT(found.report.warnings, ElementsAre(AllOf(HasSubstr("'B' by 0.4 m"), HasSubstr("DomainBounds"))));
   options.bounds.min[2] = 2.8;
   EXPECT_THAT(ground(threeHouses(), options).report.warnings, IsEmpty());
   EXPECT_THAT(ground(threeHouses(), options).report.belowGround, SizeIs(2));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Unions of cells and faces keep what was sound sound, on meshes of all types of cells.
-#include "Quality/Unions/JudgedUnions.h"
+#include "Ranks/UnionsOnRanks.h"
 #include "Support/DividedMesh.h"
 #include "Support/QuietContext.h"
 #include "Support/SampleMesh.h"
@@ -227,8 +227,9 @@ std::vector<RankUnions> unionsOnRanks(const DividedSample& sample, int ranks)
       const PieceOfSample piece(sample, static_cast<Index>(exchange.rank()));
       const WidePiece wide = widen(piece.view(), unionRings, exchange);
       const PieceOnRanks part{wide, exchange};
+      UnionsOnRanks port(part);
       const JudgedMesh now = uniteAndJudge([&] { return makeFaceMesh(wide.points, wide.cells(), wide.faceKeys()); }, {},
-                                           {}, quietContext(), &part);
+                                           {}, quietContext(), port);
       out[static_cast<std::size_t>(exchange.rank())] = {describe(now, wide, unitedCells(now, part)), now.failures,
                                                         now.verdict.failedChecks(), wide.types.size()};
     });

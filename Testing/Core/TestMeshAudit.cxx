@@ -281,10 +281,17 @@ TEST(MeshAudit, WarnsOfMoreFacesThanDrawn)
   MeshedModel mesh = meshedHouse(atria::testing::quietContext(executor), cache);
   const GridFrame& frame = cache.sources()->octree.frame();
   EXPECT_THAT(warningsOf(mesh.audit, mesh.names, frame), IsEmpty());
-  mesh.audit.surfaces[0].meshArea *= 1.4;
+  EXPECT_THAT(notesOf(mesh.audit, mesh.names, frame), IsEmpty());
+  mesh.audit.surfaces[0].meshArea *= 1.01;
+  EXPECT_THAT(warningsOf(mesh.audit, mesh.names, frame), IsEmpty());
+  EXPECT_THAT(notesOf(mesh.audit, mesh.names, frame),
+              ElementsAre(AllOf(HasSubstr("1 surface with an area that is more than 0.5 % off: House (+"),
+                                HasSubstr("lower SizeMin"))));
+  mesh.audit.surfaces[0].meshArea *= 1.4 / 1.01;
+  EXPECT_THAT(notesOf(mesh.audit, mesh.names, frame), IsEmpty()) << "a warning says more";
   EXPECT_THAT(warningsOf(mesh.audit, mesh.names, frame),
               ElementsAre(AllOf(HasSubstr("1 surface with more faces than drawn: House (146 m² for 128 m²)"),
-                                HasSubstr("--size-min"))));
+                                HasSubstr("lower SizeMin"))));
 }
 
 TEST_P(TurnedAudit, MeasuresPartyWallsWhereAirSeesThem)

@@ -23,9 +23,9 @@ using atria::testing::addSheet;
 using atria::testing::addSphere;
 using atria::testing::addWall;
 using atria::testing::addWalls;
-using atria::testing::elementsAreClosed;
 using atria::testing::Hole;
 using atria::testing::isConformal;
+using atria::testing::isValid;
 using atria::testing::volumes;
 using ::testing::UnorderedElementsAre;
 
@@ -127,13 +127,6 @@ void expectRoomsEndAtZones(const MeshedModel& meshed)
   EXPECT_GT(between, 0U);
 }
 
-void expectSound(const MeshedModel& meshed)
-{
-  EXPECT_TRUE(elementsAreClosed(meshed.mesh));
-  const std::vector<double> all = volumes(meshed.mesh);
-  EXPECT_GT(*std::min_element(all.begin(), all.end()), 0.0);
-}
-
 /// Two rooms with a window, a door to the outside, and a door between them.
 TriangleSurface house()
 {
@@ -190,7 +183,7 @@ TEST(Rooms, OfAHouseHaveTheirVolumesFloorsAndOpenings)
         EXPECT_EQ(mesh.names[opening.surface], mesh.names[opening.wall] + "_opening_1");
       }
       expectRoomsEndAtZones(mesh);
-      expectSound(mesh);
+      EXPECT_TRUE(isValid(mesh.mesh, 0));
     }
   }
 }
@@ -277,7 +270,7 @@ TEST(Rooms, HaveOpeningsOfOddShapes)
         EXPECT_NEAR(opening.area, known->second, 0.03 * known->second) << known->first;
       }
       expectRoomsEndAtZones(mesh);
-      expectSound(mesh);
+      EXPECT_TRUE(isValid(mesh.mesh, 0));
     }
   }
 }
@@ -344,7 +337,7 @@ TEST(FaceZones, ConformToTheirSurfaceAndPartNothing)
       EXPECT_EQ(mesh.rooms.rooms.size(), 1U);
       const double box = 3.0 * 2.3 * 2.3;
       EXPECT_NEAR(atria::testing::totalVolume(mesh.mesh), 14.0 * 14.0 * 7.0 - box, 0.01 * box);
-      expectSound(mesh);
+      EXPECT_TRUE(isValid(mesh.mesh, 0));
     }
   }
 }
@@ -405,7 +398,7 @@ TEST(CellZones, AreWhatTheirSurfacesEnclose)
     EXPECT_NEAR(inside.at("Hedge"), 7.2, 0.1);
     EXPECT_NEAR(atria::testing::totalVolume(mesh.mesh), 14.0 * 14.0 * 7.0 - 30.0, 0.3);
     EXPECT_TRUE(mesh.rooms.rooms.empty());
-    expectSound(mesh);
+    EXPECT_TRUE(isValid(mesh.mesh, 0));
   }
 }
 
@@ -437,7 +430,7 @@ TEST(CellZones, ShareFacesWithWallsAndWithEachOther)
         EXPECT_NEAR(inside.at(name), volume, 0.03 * volume) << name;
       }
       EXPECT_NEAR(atria::testing::totalVolume(mesh.mesh), 14.0 * 14.0 * 7.0 - 24.0, 0.3);
-      expectSound(mesh);
+      EXPECT_TRUE(isValid(mesh.mesh, 0));
     }
   }
 }

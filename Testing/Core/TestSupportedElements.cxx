@@ -55,14 +55,6 @@ TriangleSurface turnedSheets()
   return surface;
 }
 
-void expectSound(const DualMesh& mesh)
-{
-  EXPECT_TRUE(elementsAreClosed(mesh));
-  EXPECT_TRUE(facesAreUnique(mesh));
-  EXPECT_TRUE(boundaryIsWatertight(mesh));
-  EXPECT_GT(std::ranges::min(volumes(mesh)), 0.0);
-}
-
 TEST(SupportedElements, AreNotConcaveAtWalls)
 {
   for (const TriangleSurface& surface : {sphere(), turnedBox(), turnedSheets()})
@@ -73,7 +65,8 @@ TEST(SupportedElements, AreNotConcaveAtWalls)
     EXPECT_TRUE(findConcaveAtWalls(supported.mesh(), quietContext()).empty());
     EXPECT_GT(supported.mesh().elementCount(), bare.mesh().elementCount());
     EXPECT_NEAR(totalVolume(supported.mesh()), totalVolume(bare.mesh()), 2e-3 * totalVolume(bare.mesh()));
-    expectSound(supported.mesh());
+    EXPECT_TRUE(isValid(supported.mesh(), 0));
+    EXPECT_TRUE(facesAreUnique(supported.mesh()));
   }
 }
 
@@ -117,7 +110,8 @@ TEST(SupportedElements, StandBesideLayersThatAreAskedFor)
   {
     const Meshed mixed = meshOf(turnedSheets(), true, {{"*", {layers}}, {"Floor", {0}}, {"Between", {0}}});
     EXPECT_TRUE(findConcaveAtWalls(mixed.mesh(), quietContext()).empty()) << layers;
-    expectSound(mixed.mesh());
+    EXPECT_TRUE(isValid(mixed.mesh(), 0));
+    EXPECT_TRUE(facesAreUnique(mixed.mesh()));
   }
 }
 

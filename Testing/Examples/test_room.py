@@ -186,7 +186,7 @@ class Room(unittest.TestCase):
         self.refuses(3, "without wind it is a room", mesh, "--wind", "90")
         self.refuses(3, "inlet:50l/s", mesh, "--patch", "Supply_1", "inlet:0.5")
         self.refuses(3, "no ground", mesh, "--kind", "room", "--patch", "Walls", "ground")
-        self.refuses(3, "--patch NAME inlet --patch NAME outlet", mesh, "--kind", "room", "--patch", "*", "wall")
+        self.refuses(3, "--patch NAME inlet and --patch NAME outlet", mesh, "--kind", "room", "--patch", "*", "wall")
 
     def test_options_without_use_are_told(self):
         self.case(self.box(SEVERAL), "--speed", "2", stderr="--speed is for wind, and this is a room")

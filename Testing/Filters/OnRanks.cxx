@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "OnRanks.h"
 
-#include "Transport.h"
-#include "VtkPieces.h"
+#include "Ranks/Transport.h"
+#include "Ranks/VtkPieces.h"
 
 #include <vtkCellData.h>
 #include <vtkCommunicator.h>

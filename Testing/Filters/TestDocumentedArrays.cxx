@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// docs/arrays.md lists the arrays of the outputs, all of them and no others.
 #include "DualMesherTest.h"
+#include "Ranks/VtkShares.h"
 #include "Support/Buildings.h"
 #include "Support/SampleGrid.h"
 #include "Support/TestPaths.h"
-#include "VtkShares.h"
 #include "vtkAtriaFeatureGraph.h"
 #include "vtkAtriaMeshOptimizer.h"
 #include "vtkAtriaOctreeSource.h"

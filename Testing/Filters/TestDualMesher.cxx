@@ -47,7 +47,7 @@ class DualMesher : public atria::testing::DualMesherTest
 {
 protected:
   /// What holds whatever the surfaces are.
-  void expectSound()
+  void expectClosedPatches()
   {
     EXPECT_TRUE(atria::testing::patchesAreTheBoundary(volume(), patches()));
     EXPECT_NEAR(atria::testing::enclosedVolume(patches()), meshVolume(), 1e-9 * volumeOf(domain));
@@ -58,7 +58,7 @@ protected:
     setSurface(surface);
     mesher->Update();
     ASSERT_GT(volume()->GetNumberOfCells(), 0);
-    expectSound();
+    expectClosedPatches();
   }
 };
 

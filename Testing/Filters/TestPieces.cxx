@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Pieces without processes: what is asked for piece by piece, and pieces that are joined.
 #include "DualMesherTest.h"
+#include "Ranks/VtkPieces.h"
 #include "Support/Error.h"
 #include "VtkFaceMesh.h"
-#include "VtkPieces.h"
 #include "VtkSubset.h"
 #include "vtkAtriaMeshQuality.h"
 #include "vtkAtriaOctreeSource.h"

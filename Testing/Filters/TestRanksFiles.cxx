@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What ranks write.
 #include "OnRanks.h"
-#include "VtkPieces.h"
+#include "Ranks/VtkPieces.h"
 #include "vtkAtriaMeshQuality.h"
 #include "vtkAtriaOpenFOAMWriter.h"
 

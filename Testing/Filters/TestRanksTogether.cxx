@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Meshes that ranks make together, in blocks.
-#include "ControllerExchange.h"
 #include "OnRanks.h"
+#include "Ranks/ControllerExchange.h"
 #include "Support/ProgressWatch.h"
 
 #include <vtkExecutive.h>

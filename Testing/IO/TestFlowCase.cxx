@@ -239,7 +239,7 @@ TEST(Rooms, NeedAirInAndOut)
   };
   EXPECT_THAT(complaint({"Exhaust wall"}), HasSubstr("out of the room: it has inlets only ('Inlet_1')"));
   EXPECT_THAT(complaint({"Inlet_1 outlet"}), HasSubstr("into the room: it has outlets only ('Inlet_1', 'Exhaust')"));
-  EXPECT_THAT(complaint({"* wall"}), HasSubstr("--patch NAME inlet --patch NAME outlet"));
+  EXPECT_THAT(complaint({"* wall"}), HasSubstr("PatchRules NAME inlet and PatchRules NAME outlet"));
   EXPECT_THAT(complaint({"Walls ground"}), HasSubstr("make 'Walls' wall or rough:SIZE"));
   EXPECT_THAT(complaint({"East inlet:1m/s", "East inlet:1l/s"}), HasSubstr("'East' has both a speed and a flow rate"));
   EXPECT_EQ(complaint({"Exhaust inletOutlet"}), "");

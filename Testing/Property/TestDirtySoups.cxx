@@ -201,9 +201,7 @@ TEST_P(DirtySoups, AreMeshedSoundlyAndKeepTheirSpaces)
     DualMeshOptions options;
     options.zoneRule = ZoneRule::all;
     const Meshed meshed = meshIt(soup.surface, soup.grid, options);
-    EXPECT_TRUE(isConformal(meshed.mesh()));
-    EXPECT_TRUE(elementsAreClosed(meshed.mesh()));
-    EXPECT_TRUE(boundaryIsWatertight(meshed.mesh()));
+    EXPECT_TRUE(isSound(meshed.mesh()));
     EXPECT_NEAR(totalVolume(meshed.mesh()) / soup.grid.domain.size().prod(), 1.0, 1e-6);
     expectSpaces(soup, meshed.mesh());
     expectNothingLost(soup, meshed);
@@ -256,9 +254,7 @@ TEST_P(DirtySoups, LeaveOutSealedRoomsWhereTheOpenIsMeshed)
   const Watchdog watchdog(what, std::chrono::seconds(120));
   const Meshed meshed = meshIt(soup.surface, soup.grid);
   const DualMesh& mesh = meshed.mesh();
-  EXPECT_TRUE(isConformal(mesh));
-  EXPECT_TRUE(elementsAreClosed(mesh));
-  EXPECT_TRUE(boundaryIsWatertight(mesh));
+  EXPECT_TRUE(isSound(mesh));
   for (const DirtySoup::Seed& place : soup.seeds)
   {
     EXPECT_EQ(isNearElement(mesh, place.point), place.space == 0) << place.point.transpose();

@@ -83,7 +83,20 @@ private:
   std::string where_;
 };
 
-void expectScene(const Scene& scene, Comparison& comparison)
+/// The audit names surfaces whose area is off, and no others.
+void expectTold(const MeshedModel& meshed, const std::set<std::string>& inexact)
+{
+  const auto isTold = [](const std::string& note) { return note.find("0.5 % off") != note.npos; };
+  const auto note = std::ranges::find_if(meshed.notes, isTold);
+  for (const std::string& name : meshed.names)
+  {
+    const bool isNamed = note != meshed.notes.end() && note->find(name + " (") != note->npos;
+    EXPECT_EQ(isNamed, inexact.contains(name)) << name;
+  }
+}
+
+/// \param inexact  Surfaces whose area is known to be off.
+void expectScene(const Scene& scene, const std::set<std::string>& inexact, Comparison& comparison)
 {
   const MeshedModel meshed = meshModel(scene.surface, scene.options, quietContext());
   const MeshFigures figures = measure(meshed);
@@ -93,8 +106,12 @@ void expectScene(const Scene& scene, Comparison& comparison)
   };
   for (const std::string& name : meshed.names)
   {
-    comparison.expect(areaOf(figures.areas, name), areaOf(scene.areas, name), "area of " + name);
+    if (!inexact.contains(name))
+    {
+      comparison.expect(areaOf(figures.areas, name), areaOf(scene.areas, name), "area of " + name);
+    }
   }
+  expectTold(meshed, inexact);
 
   const GroundedInput grounded = groundModel(scene.surface, scene.options);
   const Box3 domain = planSite(grounded.surface, grounded.options).domain.bounds;
@@ -141,10 +158,12 @@ void expectScene(const Scene& scene, Comparison& comparison)
 
 constexpr std::array angles{0.0, 17.0, 30.0, 45.0};
 
-/// Where two sheets meet upright, one vertex of the edge is 5 cm off: one area is 0.51 % too large.
-bool isKnownFault(const SceneKind& kind, unsigned seed, double angle)
+/// Surfaces of a scene whose area is off. Where two sheets meet upright, one vertex of the edge is 5 cm off: one area
+/// is 0.51 % too large.
+std::set<std::string> inexactSurfaces(const SceneKind& kind, unsigned seed, double angle)
 {
-  return std::string(kind.name) == "FreeWalls" && seed == 4 && angle == 30.0;
+  const bool isKnown = std::string(kind.name) == "FreeWalls" && seed == 4 && angle == 30.0;
+  return isKnown ? std::set<std::string>{"Second"} : std::set<std::string>{};
 }
 
 /// Numbers of a kind and of an angle.
@@ -162,15 +181,11 @@ TEST_P(GeneratedScenes, AreMeshedWithTheirAreasAndVolumes)
   for (unsigned i = 0; i < campaign(usualSeeds, allSeeds); ++i)
   {
     const unsigned seed = (angle + i) % allSeeds;
-    if (isKnownFault(kind, seed, angles[angle]))
-    {
-      continue;
-    }
     const std::string what =
         std::string(kind.name) + " " + std::to_string(seed) + " at " + std::to_string(angles[angle]);
     SCOPED_TRACE(what);
     const Watchdog watchdog(what, std::chrono::seconds(300));
-    expectScene(turnedScene(kind, seed, angles[angle]), comparison);
+    expectScene(turnedScene(kind, seed, angles[angle]), inexactSurfaces(kind, seed, angles[angle]), comparison);
   }
   RecordProperty("LargestDifference", std::to_string(comparison.largest()) + ", " + comparison.where());
 }

@@ -114,9 +114,7 @@ TEST(RandomOctrees, DualsAreConformalClosedAndFillTheDomain)
     DualMeshOptions options;
     options.zoneRule = ZoneRule::all;
     const DualMesh mesh = makeDualMesh(octree, {}, options, clock, context).mesh;
-    EXPECT_TRUE(isConformal(mesh));
-    EXPECT_TRUE(elementsAreClosed(mesh));
-    EXPECT_TRUE(boundaryIsWatertight(mesh));
+    EXPECT_TRUE(isSound(mesh));
     const double volume = frame.domain.size().prod();
     EXPECT_NEAR(totalVolume(mesh) / volume, 1.0, 1e-9);
     const std::vector<double> all = volumes(mesh);
@@ -184,9 +182,7 @@ TEST(RandomSoups, MeshesAreConformalClosedAndFillTheDomain)
     options.zoneRule = ZoneRule::all;
     const Meshed meshed = meshIt(randomSoup(seed), soupGrid(seed), options);
     const DualMesh& mesh = meshed.mesh();
-    EXPECT_TRUE(isConformal(mesh));
-    EXPECT_TRUE(elementsAreClosed(mesh));
-    EXPECT_TRUE(boundaryIsWatertight(mesh));
+    EXPECT_TRUE(isSound(mesh));
     EXPECT_NEAR(totalVolume(mesh) / 512.0, 1.0, 1e-9)
         << "what elements gain their neighbors lose, inverted ones included";
     // Tags partition the faces: each boundary face has one tag, and both faces of a sheet name each other.

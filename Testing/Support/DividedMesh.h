@@ -2,7 +2,7 @@
 /// Meshes divided among ranks.
 #pragma once
 
-#include "Quality/Faces/WidePiece.h"
+#include "Ranks/WidePiece.h"
 #include "Support/SampleMesh.h"
 
 #include <array>

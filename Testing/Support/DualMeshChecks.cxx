@@ -178,6 +178,30 @@ bool sameZones(const std::vector<ZoneFace>& a, const std::vector<ZoneFace>& b)
   return ::testing::AssertionSuccess();
 }
 
+::testing::AssertionResult isSound(const DualMesh& mesh, Index plainElements)
+{
+  for (const ::testing::AssertionResult& found :
+       {isConformal(mesh, plainElements), elementsAreClosed(mesh), boundaryIsWatertight(mesh)})
+  {
+    if (!found)
+    {
+      return found;
+    }
+  }
+  return ::testing::AssertionSuccess();
+}
+
+::testing::AssertionResult isValid(const DualMesh& mesh, Index plainElements)
+{
+  const std::vector<double> all = volumes(mesh);
+  const auto least = std::ranges::min_element(all);
+  if (least != all.end() && !(*least > 0.0))
+  {
+    return ::testing::AssertionFailure() << "element " << least - all.begin() << " has the volume " << *least;
+  }
+  return isSound(mesh, plainElements);
+}
+
 std::vector<double> volumes(const DualMesh& mesh)
 {
   std::vector<double> out(mesh.elementCount(), 0.0);

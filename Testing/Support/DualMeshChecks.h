@@ -23,6 +23,13 @@ namespace atria::testing {
 /// Every edge of the mesh's whole boundary is run through as often one way as the other.
 ::testing::AssertionResult boundaryIsWatertight(const DualMesh& mesh);
 
+/// The three of the above that hold of every mesh: it is conformal, its elements are closed, its boundary is
+/// watertight.
+::testing::AssertionResult isSound(const DualMesh& mesh, Index plainElements = noIndex);
+
+/// isSound(), and every element's volume is positive.
+::testing::AssertionResult isValid(const DualMesh& mesh, Index plainElements = noIndex);
+
 /// Signed volume of each element, faces as triangles about the mean of their points.
 std::vector<double> volumes(const DualMesh& mesh);
 double totalVolume(const DualMesh& mesh);

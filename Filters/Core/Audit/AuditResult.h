@@ -84,6 +84,8 @@ struct SurfaceAudit
   double extent = 0.0;
   SurfaceDistances distances;
 
+  /// Returns the area that air sees, which should be in the mesh.
+  double seenArea() const { return placedArea - underGround - inSolid - inRoom; }
   /// Returns the part of the area that should be in the mesh and is; 1 if none should.
   double coverage() const;
 };

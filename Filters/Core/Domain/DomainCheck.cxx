@@ -417,8 +417,7 @@ std::string textOfCuts(const TriangleSurface& surface, const SitePlan& plan, con
 }
 
 constexpr const char* otherDomains =
-    "make the domain larger (DomainBounds, --domain), or take the one that follows from the buildings (DomainMode "
-    "Automatic, --automatic)";
+    "make the domain larger (DomainBounds), or take the one that follows from the buildings (DomainMode Automatic)";
 
 void refuseEmpty(const TriangleSurface& surface, const SitePlan& plan)
 {
@@ -426,8 +425,8 @@ void refuseEmpty(const TriangleSurface& surface, const SitePlan& plan)
   const bool turned = plan.domain.axes.angle() != 0.0;
   throw Error("the domain holds nothing of the model: it reaches " + textOf(plan.domain.bounds) + ", the model " +
               textOf(boundsOf(surface, plan.domain.axes)) + (turned ? ", along the domain's axes" : "") +
-              ". Check unit and place of the model and DomainBounds (--domain), or take the domain that follows from "
-              "the buildings (DomainMode Automatic, --automatic)");
+              ". Check unit and place of the model and DomainBounds, or take the domain that follows from "
+              "the buildings (DomainMode Automatic)");
 }
 
 } // namespace
@@ -460,18 +459,16 @@ std::vector<std::string> checkDomain(const TriangleSurface& surface, const SiteP
   if (!cut.empty())
   {
     warnings.push_back("the domain cuts through surfaces at " + cut + ", and leaves out what lies beyond: " +
-                       otherDomains + "; name those that are ground by SiteName or TerrainName (--terrain)");
+                       otherDomains + "; name those that are ground by SiteName or TerrainName");
   }
   if (const std::string touching = textOf(namedSides(contacts.touching), surface.names); !touching.empty())
   {
     warnings.push_back("surfaces end on the domain's sides, without air between: " + touching + "; " + otherDomains +
-                       ". Where the model's walls are to be the sides take its bounds (DomainMode FromSurfaces, "
-                       "--model-bounds)");
+                       ". Where the model's walls are to be the sides take its bounds (DomainMode FromSurfaces)");
   }
   if (contacts.isBuried)
   {
-    warnings.push_back("most of the buildings' height lies below the domain's bottom: lower zMin (DomainBounds, "
-                       "--domain)");
+    warnings.push_back("most of the buildings' height lies below the domain's bottom: lower zMin (DomainBounds)");
   }
   return warnings;
 }

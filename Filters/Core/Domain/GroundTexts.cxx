@@ -40,10 +40,10 @@ std::string adviceFor(const std::vector<BodyAtGround>& bodies, const GroundTextO
 {
   const std::string rest = "; correct their bases, or leave it where air is meant to pass below them";
   return options.isGiven
-             ? "; raise the domain's bottom to them (DomainBounds, --domain), or take the domain that follows from the "
-               "buildings (DomainMode Automatic, --automatic), which lets them down to the ground" +
+             ? "; raise the domain's bottom to them (DomainBounds), or take the domain that follows from the "
+               "buildings (DomainMode Automatic), which lets them down to the ground" +
                    rest
-             : "; a larger GroundSnapRatio (--ground-snap) lets " + std::string(bodies.size() == 1 ? "it" : "them") +
+             : "; a larger GroundSnapRatio lets " + std::string(bodies.size() == 1 ? "it" : "them") +
                    " down to the ground" + rest;
 }
 
@@ -61,8 +61,7 @@ void addHovering(GroundReport& report, const GroundTextOptions& options)
   if (!thin.empty())
   {
     report.warnings.push_back(countOf(thin.size(), "body hovers", "bodies hover") +
-                              " above the ground on a film of air that is thinner than an element (SizeMin, "
-                              "--size-min, " +
+                              " above the ground on a film of air that is thinner than an element (SizeMin, " +
                               lengthOf(options.sizeMin) + "), so that the mesh closes it in part: " + listOf(thin) +
                               adviceFor(thin, options));
   }
@@ -83,7 +82,7 @@ void addTexts(GroundReport& report, const GroundTextOptions& options)
   {
     report.notes.push_back(countOf(report.letDown.size(), "body that hovers was", "bodies that hover were") +
                            " let down to " + ground + ": " + listOf(report.letDown) +
-                           "; GroundSnapRatio (--ground-snap) 0 leaves them as drawn");
+                           "; GroundSnapRatio 0 leaves them as drawn");
   }
   if (!report.belowGround.empty())
   {

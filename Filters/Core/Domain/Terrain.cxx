@@ -23,23 +23,41 @@ struct Border
   Index surface;
 };
 
+/// Numbers places; those within `tolerance` on each axis of one that has a number have the same.
+struct Merger
+{
+  Index numberOf(const Vec3& p)
+  {
+    const std::array<std::int64_t, 3> cell = cellOf(p);
+    for (int neighbor = 0; neighbor < 27; ++neighbor)
+    {
+      const auto found =
+          known.find({cell[0] + neighbor % 3 - 1, cell[1] + neighbor / 3 % 3 - 1, cell[2] + neighbor / 9 - 1});
+      if (found != known.end() && (points[found->second] - p).cwiseAbs().maxCoeff() <= tolerance)
+      {
+        return found->second;
+      }
+    }
+    points.push_back(p);
+    return known[cell] = static_cast<Index>(points.size() - 1);
+  }
+
+  std::array<std::int64_t, 3> cellOf(const Vec3& p) const
+  {
+    return {std::llround(p[0] / tolerance), std::llround(p[1] / tolerance), std::llround(p[2] / tolerance)};
+  }
+
+  double tolerance;
+  std::map<std::array<std::int64_t, 3>, Index> known; ///< by cells of that width, whose places are all one
+  std::vector<Vec3>& points;
+};
+
 class Outline
 {
 public:
   Outline(const TriangleSurface& surface, const SurfaceFlags& isTerrain, double tolerance)
   {
-    std::map<std::array<std::int64_t, 3>, Index> known;
-    const double grain = std::max(tolerance, 1e-12);
-    const auto numbered = [&](const Vec3& p) {
-      const auto [place, isNew] =
-          known.try_emplace({std::llround(p[0] / grain), std::llround(p[1] / grain), std::llround(p[2] / grain)},
-                            static_cast<Index>(points.size()));
-      if (isNew)
-      {
-        points.push_back(p);
-      }
-      return place->second;
-    };
+    Merger merger{std::max(tolerance, 1e-12), {}, points};
     struct Use
     {
       int count = 0;
@@ -55,7 +73,7 @@ public:
       }
       std::array<Index, 3> ids;
       std::transform(surface.triangles[t].begin(), surface.triangles[t].end(), ids.begin(),
-                     [&](Index p) { return numbered(surface.points[p]); });
+                     [&](Index p) { return merger.numberOf(surface.points[p]); });
       const double area = areaFromAbove(ids);
       upwards += area;
       for (int i = 0; i < 3; ++i)
@@ -306,23 +324,15 @@ private:
 SurfaceFlags terrainSurfaces(const TriangleSurface& surface, const std::string& pattern, const std::string& site,
                              double flatness)
 {
+  if (!pattern.empty())
+  {
+    return matchingSurfaces(pattern, surface.names, "which is to be the terrain");
+  }
   SurfaceFlags flags(surface.names.size(), 0);
-  for (std::size_t i = 0; i < flags.size(); ++i)
-  {
-    flags[i] = pattern.empty() ? surface.names[i] == site : matchesPattern(pattern, surface.names[i]);
-  }
-  if (pattern.empty())
-  {
-    const Ground candidate(surface, flags, 0.0);
-    const bool flat = candidate.empty() || candidate.bounds().size()[2] <= flatness;
-    return flat ? SurfaceFlags(flags.size(), 0) : flags;
-  }
-  if (std::find(flags.begin(), flags.end(), 1) == flags.end())
-  {
-    throw Error("there is no surface whose name fits the terrain '" + pattern + "'; " +
-                namesInstead(pattern, surface.names));
-  }
-  return flags;
+  std::ranges::transform(surface.names, flags.begin(), [&](const std::string& name) { return name == site ? 1 : 0; });
+  const Ground candidate(surface, flags, 0.0);
+  const bool flat = candidate.empty() || candidate.bounds().size()[2] <= flatness;
+  return flat ? SurfaceFlags(flags.size(), 0) : flags;
 }
 
 TerrainOutline extendTerrain(TriangleSurface& surface, const SurfaceFlags& isTerrain, const Box3& reach,

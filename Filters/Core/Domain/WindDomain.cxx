@@ -243,9 +243,9 @@ double neededHeight(const TriangleSurface& surface, const WindGround& ground)
   if (!(height > 0.0))
   {
     throw Error("there are no buildings to take the domain from: every surface is ground or lies flat; connect the "
-                "buildings, correct SiteName and TerrainName (--terrain), or choose another domain: above the site "
-                "(DomainMode Site, --site), the model's bounds (FromSurfaces, --model-bounds) or a given box "
-                "(Explicit, --domain)");
+                "buildings, correct SiteName and TerrainName, or choose another domain: above the site "
+                "(DomainMode Site), the model's bounds (DomainMode FromSurfaces) or a given box "
+                "(DomainMode Explicit)");
   }
   return height;
 }

@@ -36,7 +36,7 @@ void checkOptions(const GridOptions& o)
   const Vec3 size = o.domain.size();
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (!(size[axis] >= 2.0 * o.sizeMin))
+    if (!(size[axis] >= (1.0 - 1e-9) * 2.0 * o.sizeMin))
     {
       throw Error(text("the domain is ", size[axis], " long in ", "xyz"[axis], ", less than two octants of SizeMin ",
                        o.sizeMin, ": enlarge the domain or lower SizeMin"));

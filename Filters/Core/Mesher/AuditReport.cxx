@@ -12,11 +12,13 @@ namespace atria {
 
 namespace {
 
-/// Of a surface's area, what must be in the mesh or explained. What is more than that is too much likewise.
+/// Share of a surface's area that must be in the mesh or explained. As much above the area as drawn is too much.
 constexpr double leastCoverage = 0.95;
-/// How far the volume of the mesh may be from that of the model, over the latter.
+/// Largest difference between the area of a surface and the area that air sees of it, over the latter.
+constexpr double areaTolerance = 0.005;
+/// Largest difference between the volumes of the mesh and of the model, over the latter.
 constexpr double volumeTolerance = 0.01;
-/// How far a mesh may be from its model, in elements and over the extent of a surface.
+/// Largest distance between a mesh and its model, in elements and over the extent of a surface.
 constexpr double mostElements = 0.5;
 constexpr double mostOfExtent = 0.02;
 
@@ -36,7 +38,7 @@ template <typename... T> std::string textOf(const T&... parts)
   return text.str();
 }
 
-/// The first of the surfaces with what there is to say of them.
+/// Names the six findings of largest weight, each with its text, and counts the others.
 std::string namesOf(std::vector<Finding> findings, const std::vector<std::string>& names)
 {
   constexpr std::size_t most = 6;
@@ -49,7 +51,7 @@ std::string namesOf(std::vector<Finding> findings, const std::vector<std::string
   return text + (findings.size() > most ? textOf(" and ", findings.size() - most, " more") : "");
 }
 
-/// `3 surfaces` and the first of them.
+/// Counts the surfaces, as in `3 surfaces`, and names the first of them.
 std::string listOf(std::vector<Finding> findings, const std::vector<std::string>& names, const char* what)
 {
   const std::size_t count = findings.size();
@@ -58,7 +60,7 @@ std::string listOf(std::vector<Finding> findings, const std::vector<std::string>
 
 constexpr const char* underGround = "on or under the ground";
 
-/// Where most of what is missing of a surface went.
+/// Returns why most of the missing area of a surface is not in the mesh.
 std::string reasonOf(const SurfaceAudit& surface)
 {
   struct Reason
@@ -73,10 +75,10 @@ std::string reasonOf(const SurfaceAudit& surface)
   return std::ranges::max_element(reasons, {}, &Reason::area)->text;
 }
 
-/// Of one surface: a weight and a text, or nothing.
+/// Weight and text for one surface; empty if there is nothing to say.
 using Said = std::optional<std::pair<double, std::string>>;
 
-/// What `judge` says of surfaces.
+/// Returns the findings of `judge` on all surfaces.
 template <typename Judge> std::vector<Finding> findingsOf(const MeshAudit& audit, Judge&& judge)
 {
   std::vector<Finding> found;
@@ -90,12 +92,12 @@ template <typename Judge> std::vector<Finding> findingsOf(const MeshAudit& audit
   return found;
 }
 
-/// Why a surface has no face.
+/// Reasons why a surface has no face.
 enum class Without : std::uint8_t
 {
-  elements, ///< that are fine enough
-  air,      ///< that is meshed
-  sky       ///< as it is a base on the ground, or under the ground
+  elements, ///< its elements are too coarse
+  air,      ///< no air is meshed there
+  sky       ///< it is a base on the ground, or under the ground
 };
 
 std::vector<Finding> withoutFaces(const MeshAudit& audit, Without what)
@@ -112,7 +114,7 @@ std::vector<Finding> withoutFaces(const MeshAudit& audit, Without what)
   });
 }
 
-/// What is drawn, but not where the mesh is.
+/// Finds surfaces that are drawn, but not where the mesh is.
 Said outsideOfDomain(const SurfaceAudit& surface)
 {
   if (surface.extent > 0.0 && surface.drawnArea == 0.0 && surface.meshArea == 0.0)
@@ -122,7 +124,7 @@ Said outsideOfDomain(const SurfaceAudit& surface)
   return std::nullopt;
 }
 
-/// What is smaller than a face of the mesh can show nothing.
+/// Finds surfaces with a missing area that is larger than a face of the mesh, as nothing smaller can be shown.
 Said withPartsMissing(const SurfaceAudit& surface)
 {
   const double missing = surface.lost + surface.leftOut;
@@ -136,7 +138,7 @@ Said withPartsMissing(const SurfaceAudit& surface)
   return std::nullopt;
 }
 
-/// Faces that stand in folds, or on both sides of what has air on one side.
+/// Finds surfaces whose faces stand in folds, or on both sides where there is air on one side only.
 Said largerThanDrawn(const SurfaceAudit& surface)
 {
   const double most = std::max(surface.drawnArea, surface.placedArea);
@@ -158,6 +160,29 @@ Said farAway(const SurfaceAudit& surface)
                      textOf(place.distance, " m, ", place.inElements, " elements, at ", place.at.transpose()));
   }
   return std::nullopt;
+}
+
+/// Finds surfaces whose area is off, but by too little for a warning.
+Said inexactArea(const SurfaceAudit& surface)
+{
+  const double seen = surface.seenArea();
+  const double difference = surface.meshArea - seen;
+  if (surface.meshArea == 0.0 || seen <= 0.0 || std::abs(difference) <= areaTolerance * seen ||
+      withPartsMissing(surface) || largerThanDrawn(surface))
+  {
+    return std::nullopt;
+  }
+  const FarthestPlace& place = surface.distances.ofFaces;
+  return std::pair(std::abs(difference),
+                   textOf(difference > 0.0 ? "+" : "", 100.0 * difference / seen, " % of ", seen, " m², faces up to ",
+                          place.distance, " m off at ", place.at.transpose()));
+}
+
+/// Returns the advice for elements that are too large.
+std::string finerSizes(const GridFrame& frame)
+{
+  return textOf("lower SizeMin, which is ", frame.sizeOf(frame.featureLevel),
+                ", or give these surfaces a size of their own (SurfaceSizeRules)");
 }
 
 std::string bodiesWarning(const MeshAudit& audit)
@@ -199,17 +224,16 @@ std::vector<std::string> warningsOf(const MeshAudit& audit, const std::vector<st
       warnings.push_back(listOf(std::move(findings), names, what) + "; " + advice);
     }
   };
-  const std::string sizes = textOf("lower SizeMin (--size-min), which is ", frame.sizeOf(frame.featureLevel),
-                                   ", or give these surfaces a size of their own (--size)");
+  const std::string sizes = finerSizes(frame);
   add(withoutFaces(audit, Without::elements), "without a face in the mesh",
       "if boundary conditions are to stand on them, " + sizes);
   add(withoutFaces(audit, Without::sky), "without a face in the mesh",
-      "no air is meshed there; leave these surfaces out if nothing else is meant (ExcludedSurfaces, --without)");
+      "no air is meshed there; leave these surfaces out if nothing else is meant (ExcludedSurfaces)");
   add(withoutFaces(audit, Without::air), "without a face in the mesh",
       "finer elements do not change that; where there should be air, look for what closes it in, or give a seed there "
-      "(Seeds, --seed)");
+      "by Seeds");
   add(findingsOf(audit, outsideOfDomain), "without a face in the mesh, outside of the domain or below its bottom",
-      "give a larger domain if they belong into it, or leave them out (ExcludedSurfaces, --without)");
+      "give a larger domain if they belong into it, or leave them out (ExcludedSurfaces)");
   add(findingsOf(audit, withPartsMissing), "of which parts are missing", sizes);
   add(findingsOf(audit, largerThanDrawn), "with more faces than drawn", sizes);
   const VolumeAudit& volumes = audit.volumes;
@@ -229,21 +253,29 @@ std::vector<std::string> warningsOf(const MeshAudit& audit, const std::vector<st
   return warnings;
 }
 
-std::vector<std::string> notesOf(const BodyAudit& bodies, const std::vector<std::string>& names)
+std::vector<std::string> notesOf(const MeshAudit& audit, const std::vector<std::string>& names, const GridFrame& frame)
 {
-  if (bodies.open.empty())
+  std::vector<std::string> notes;
+  const std::vector<AiredBody>& open = audit.bodies.open;
+  if (!open.empty())
   {
-    return {};
+    std::vector<Finding> found;
+    for (const AiredBody& body : open)
+    {
+      found.push_back({body.volume, body.surface, textOf("about ", body.place.transpose())});
+    }
+    notes.push_back(textOf(open.size(), open.size() == 1 ? " body is" : " bodies are",
+                           " open, and air is meshed inside of ", open.size() == 1 ? "it: " : "them: ") +
+                    namesOf(std::move(found), names) + "; close what is meant to be solid");
   }
-  std::vector<Finding> found;
-  for (const AiredBody& body : bodies.open)
+  if (std::vector<Finding> found = findingsOf(audit, inexactArea); !found.empty())
   {
-    found.push_back({body.volume, body.surface, textOf("about ", body.place.transpose())});
+    notes.push_back(
+        listOf(std::move(found), names, "with an area that is more than 0.5 % off") +
+        "; faces cut off what is round or finer than they are, and some stay off their surface to be valid: " +
+        finerSizes(frame));
   }
-  const std::size_t count = bodies.open.size();
-  return {textOf(count, count == 1 ? " body is" : " bodies are", " open, and air is meshed inside of ",
-                 count == 1 ? "it: " : "them: ") +
-          namesOf(std::move(found), names) + "; close what is meant to be solid"};
+  return notes;
 }
 
 } // namespace atria

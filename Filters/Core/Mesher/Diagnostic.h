@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Places where a mesh does not follow its model.
 #pragma once
 
 #include "Support/Types.h"
@@ -7,7 +8,7 @@
 
 namespace atria {
 
-/// Something the mesh could not follow, or that a user should know of it.
+/// Place that the mesh could not follow, or that a user should know of.
 struct Diagnostic
 {
   enum Kind : std::uint8_t
@@ -16,23 +17,23 @@ struct Diagnostic
     unresolvedFeature, ///< pieces that do not meet share a vertex, which is not on all of them
     leakPath,          ///< a way from a sealed seed to the outside
     closedCrack,       ///< a gap beside a boundary edge, narrower than an octant, that no octree edge passes
-    openCrack,         ///< one that octree edges pass
+    openCrack,         ///< the same gap if octree edges pass it
     detachedVertex,    ///< a vertex that is not where the model wants it, as no valid element could be there
-    cluster,           ///< an octant with more pieces of the model than it can show; of its merged sheets and features
-                       ///< nothing else is told
-    leftOutElement     ///< an element at a wall that is not in the mesh, as it could not be made valid: its middle
+    cluster,           ///< an octant with more pieces of the model than it can show; its merged sheets and features
+                       ///< are not reported
+    leftOutElement     ///< the middle of an element at a wall that was left out as it could not be made valid
   };
   Kind kind;
   Vec3 begin;
   Vec3 end;
   /// An element beside it; noIndex for a leak of a zone that is not meshed.
   Index element;
-  /// How wide a gap is: a leak at its narrowest place, a crack at its widest. Of an element left out, the edge of a
-  /// cube of its volume. 0 for the other kinds.
+  /// Width of a gap: of a leak at its narrowest place, of a crack at its widest. For an element left out, the edge of a
+  /// cube with its volume. 0 for the other kinds.
   double width = 0.0;
-  /// The points of a line between its begin and end, in order.
+  /// Points of a line between `begin` and `end`, in order.
   std::vector<Vec3> between = {};
-  /// Its place among those that are found by one stage, if several processes find them; equal ones by element.
+  /// Place among the diagnostics of one stage, if several processes find them; equal ones are sorted by element.
   std::uint64_t order = 0;
 };
 inline constexpr std::array<const char*, 8> diagnosticNames{"MergedSheets", "UnresolvedFeature", "LeakPath",

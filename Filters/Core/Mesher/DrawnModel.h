@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What zones are told of the model as it was drawn.
+/// Describes the model as it was drawn, for the choice of zones.
 #pragma once
 
 #include "Domain/PlacedModel.h"
@@ -7,8 +7,8 @@
 
 namespace atria {
 
-/// Refers to the surface. O(triangles · log triangles).
-/// \param kinds  By surface; empty where all are walls.
+/// The result refers to the surface. O(triangles · log triangles).
+/// \param kinds  One entry per surface; empty if all are walls.
 DrawnModel drawnModel(const TriangleSurface& surface, const SiteOptions& site, const std::vector<SurfaceKind>& kinds,
                       const GridFrame& frame, const RunContext& context);
 

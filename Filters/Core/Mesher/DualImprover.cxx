@@ -20,7 +20,7 @@ namespace atria {
 
 namespace {
 
-/// The mean of the corners of the faces about a point.
+/// Returns the mean of the corners of the faces around a point.
 Vec3 meanAbout(const DualMesh& mesh, const BoundaryGraph& graph, Index point)
 {
   Vec3 sum = Vec3::Zero();
@@ -36,7 +36,8 @@ Vec3 meanAbout(const DualMesh& mesh, const BoundaryGraph& graph, Index point)
   return sum / count;
 }
 
-/// See removeJogs. Points that left a curve go between those beside them. Returns whether anything changed.
+/// Removes jogs; see removeJogs. Puts points that left a curve between their neighbors. Returns true if anything
+/// changed.
 bool straightenCurves(ClassifiedMesh& plain, const BoundaryGraph& graph, const MeshingContext& context)
 {
   DualMesh& mesh = plain.mesh;
@@ -47,14 +48,14 @@ bool straightenCurves(ClassifiedMesh& plain, const BoundaryGraph& graph, const M
   Index last = noIndex;
   for (const Index p : freed)
   {
-    const bool isOther = last != noIndex && vertexOf[p] == vertexOf[last]; // of a sheet's two
+    const bool isOther = last != noIndex && vertexOf[p] == vertexOf[last]; // the other point of a sheet
     mesh.points[p] = isOther ? mesh.points[last] : constraints.place(p, meanAbout(mesh, graph, p));
     last = p;
   }
   return faces > 0;
 }
 
-/// How far charts reach, in lattice units: the longest diagonal of their boxes.
+/// Returns the longest diagonal of the box of each chart, in lattice units.
 std::vector<double> extentsOfCharts(const SurfaceModel& model)
 {
   std::vector<Box3> boxes(model.charts.empty() ? 0 : *std::ranges::max_element(model.charts) + 1);
@@ -69,8 +70,8 @@ std::vector<double> extentsOfCharts(const SurfaceModel& model)
   return extents;
 }
 
-/// Where all walls of a point are smaller than its octant, the mesh shows an outline of what is there: it gets one
-/// layer, as several on leaves of trees would cost more than all else.
+/// Limits points to one layer if all their walls are smaller than their octants. The mesh shows only an outline there,
+/// and several layers on the leaves of trees would cost more than all else.
 void keepOneOnDetails(const ClassifiedMesh& given, const MeshingContext& context, LayerWalls& walls)
 {
   const std::vector<double> extents = extentsOfCharts(context.model);
@@ -90,9 +91,9 @@ void keepOneOnDetails(const ClassifiedMesh& given, const MeshingContext& context
   }
 }
 
-/// Surfaces without layers may have one where elements cannot be valid without, and so may the bottom beside a site:
-/// where sizes change at the domain's edges, elements may have two neighbors only. The sides of a turned domain have
-/// one everywhere: they cut the grid as walls do.
+/// Adds layers that support elements. Surfaces without layers may have one where elements cannot be valid without. So
+/// may the bottom beside a site: elements may have only two neighbors where sizes change at the domain's edges. The
+/// sides of a turned domain have one everywhere, as they cut the grid like walls.
 void support(bool onGround, bool isTurned, LayerOptions& options)
 {
   const Index bottom = onGround ? options.surfaceCount() + zMin : noIndex;
@@ -109,7 +110,7 @@ void support(bool onGround, bool isTurned, LayerOptions& options)
   }
 }
 
-/// So fine that sums of some hundred times the square of the domain's longest side have no rounding.
+/// Returns a unit for areas, so fine that sums of some hundred times the square of the domain's longest side are exact.
 double areaUnitOf(const Vec3& domain) { return std::exp2(std::ceil(2.0 * std::log2(domain.maxCoeff())) - 44.0); }
 
 /// True if a surface lies on the domain's bottom anywhere in this process.
@@ -120,7 +121,8 @@ bool hasGround(const DualMesh& mesh, Index surfaceCount)
   });
 }
 
-/// Returns the layers of walls, by rule and where elements need one. `onGround`: a surface lies on the domain's bottom.
+/// Returns the layers of walls, by rule and where elements need one. `onGround` is true if a surface lies on the
+/// domain's bottom.
 LayerOptions layerOptionsOf(const WallOptions& wallOptions, bool onGround, const MeshingContext& context)
 {
   LayerOptions options;
@@ -134,7 +136,7 @@ LayerOptions layerOptionsOf(const WallOptions& wallOptions, bool onGround, const
   return options;
 }
 
-/// Removes jogs, and finds the walls of the mesh then.
+/// Removes jogs, and then finds the walls of the mesh.
 LayerWalls prepareWalls(ClassifiedMesh& plain, const LayerOptions& options, const MeshingContext& context)
 {
   LayerWalls walls = findLayerWalls(plain.mesh, options, context);
@@ -150,7 +152,7 @@ LayerWalls prepareWalls(ClassifiedMesh& plain, const LayerOptions& options, cons
   return walls;
 }
 
-/// Puts the boundary faces of a mesh in the order that they have in any part of it.
+/// Sorts the boundary faces of a mesh in the order that they have in any part of it.
 void orderFaces(ImprovedMesh& improved)
 {
   const std::vector<Index> order = orderBoundaryFaces(improved.mesh);
@@ -243,14 +245,14 @@ ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, Me
   port.takeLayer(std::move(given.mesh), std::move(layer));
   if (options.isAsked() || wallOptions.supportElements)
   {
-    // Those of turned domains have layers that hold vertices of bad elements away from them.
+    // The sides of turned domains have layers, which hold vertices of bad elements away from them.
     const bool sidesToo = !context.octree.frame().turnedDomain;
     const std::unique_ptr<LeaveOutExchange> exchange = port.leaveOutExchange(out.mesh);
     leaveOut(findElementsToLeaveOut(out.mesh, failing, sidesToo, *exchange, context), out);
   }
   if (blocks)
   {
-    orderFaces(out); // of elements left out
+    orderFaces(out); // faces beside elements left out were appended
   }
   return out;
 }

@@ -12,7 +12,7 @@ namespace atria {
 
 class MeshPort;
 
-/// A mesh whose points are the vertices of `anchors`.
+/// Returns a mesh whose points are the vertices of `classification`.
 ClassifiedMesh classified(DualMesh mesh, VertexClassification classification);
 
 /// Slides points so that no wall face is folded; see unfoldFaces. The sheets of the mesh are not split yet.
@@ -25,10 +25,10 @@ ClassifiedMesh splitPoints(ClassifiedMesh given, const MeshingContext& context);
 struct LeftOutElement
 {
   Vec3 middle;
-  double size;        ///< the edge of a cube of its volume
-  Index beside;       ///< an element that is in the mesh; noIndex where there is none
-  Index number;       ///< its own, before it was left out
-  Index besideBefore; ///< that of the element beside it then
+  double size;        ///< edge of a cube with its volume
+  Index beside;       ///< number of a neighbor in the mesh; noIndex if it has none
+  Index number;       ///< its own number, before it was left out
+  Index besideBefore; ///< number of that neighbor before elements were left out
 };
 
 struct ImprovedMesh
@@ -39,14 +39,15 @@ struct ImprovedMesh
   /// Points that are not where the model wants them, in rising order.
   std::vector<DetachedVertex> detached;
   std::vector<LeftOutElement> leftOut;
-  /// By element before these were left out its number now, or noIndex; empty where none was. The same by point.
+  /// One entry per element before elements were left out: its number now, or noIndex. Empty if none was left out.
+  /// `pointNumbers` has the same for points.
   std::vector<Index> numbers;
   std::vector<Index> pointNumbers;
 };
 
-/// Grows layers on walls and makes the elements at the boundary valid (see improveLayer), also where rules ask for no
-/// layer. Without rules the mesh is returned as it is. Elements at walls that stay invalid however they are written are
-/// left out, but where neither layers are asked for nor elements are to be supported.
+/// Grows layers on walls and makes the elements at the boundary valid (see improveLayer), even if rules request no
+/// layer. Without rules, returns the mesh as it is. Leaves out elements at walls that stay invalid however they are
+/// written, unless no layers are requested and no elements are to be supported.
 ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, MeshPort& port,
                         const MeshingContext& context);
 

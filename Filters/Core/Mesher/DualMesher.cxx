@@ -57,7 +57,7 @@ void inspectZones(const CrossedGrid& crossed, const Zones& zones, const std::vec
   }
 }
 
-/// Decides which zones are kept, and sums them up. Returns where solids are.
+/// Decides which zones are kept, and summarizes them. Returns where solids are.
 SolidPlaces chooseZones(const Zones& zones, const GridPlaces& grid, const Crossings& crossings,
                         const ZoneOptions& options, const DrawnModel* drawn, const GridPart& part,
                         DualMeshResult& result, const MeshingContext& context)
@@ -83,8 +83,8 @@ void seeModel(const CrossedGrid& crossed, const Zones& zones, const DualMeshResu
   seen.samples = sampleSurfaces(crossings, zones, ofZone, part, context);
 }
 
-/// The zones of the octree's own grid tell what of the model air may reach. If that is not all of it, the crossings
-/// become those of the rest.
+/// Finds by the zones of the octree's own grid which parts of the model air may reach. If these are not all, the
+/// crossings become those of the reached model.
 ReachedStage findReached(OctreeGrid& own, const ZoneOptions& options, const DrawnModel* drawn, const GridPart& part,
                          const MeshingContext& context)
 {
@@ -103,7 +103,7 @@ ReachedStage findReached(OctreeGrid& own, const ZoneOptions& options, const Draw
   return out;
 }
 
-/// Zones, and from them elements and vertices.
+/// Finds zones, and makes elements and vertices from them.
 ClassifiedMesh fillMesh(DualMeshResult& result, SeenModel& seen, CrossedGrid& grid, bool keepGrid,
                         const ZoneOptions& options, const DrawnModel* drawn, const ReachedStage& reached,
                         MeshPort& port, StageClock& clock, const MeshingContext& context)
@@ -140,7 +140,7 @@ ClassifiedMesh fillMesh(DualMeshResult& result, SeenModel& seen, CrossedGrid& gr
   return made;
 }
 
-/// Adds the elements that are not in the mesh, in the order of elements, those of layers after all others.
+/// Adds the elements that were left out, in the order of elements, those of layers after all others.
 void appendLeftOut(const ImprovedMesh& improved, const OwnElements& part, std::vector<Diagnostic>& diagnostics)
 {
   for (const LeftOutElement& element : improved.leftOut)
@@ -154,7 +154,7 @@ void appendLeftOut(const ImprovedMesh& improved, const OwnElements& part, std::v
   }
 }
 
-/// Counts the elements of zones that are kept.
+/// Counts the elements of the zones that are kept.
 void countElements(const DualMesh& mesh, const std::vector<char>& keptZones, const OwnElements& part,
                    std::vector<ZoneSummary>& zones)
 {
@@ -175,7 +175,7 @@ void placeAll(std::vector<Vec3>& points, const Placement& placement)
   std::transform(points.begin(), points.end(), points.begin(), [&](const Vec3& p) { return placement.toModel(p); });
 }
 
-/// Returns the octree's own grid where it had to be made, for the model that air may reach.
+/// Finds the model that air may reach. Returns the octree's own grid if it had to be made for that.
 std::optional<OctreeGrid> makeReached(DualStages& stages, const ZoneOptions& options, const DrawnModel* drawn,
                                       MeshPort& port, StageClock& clock, const MeshingContext& context)
 {
@@ -191,7 +191,7 @@ std::optional<OctreeGrid> makeReached(DualStages& stages, const ZoneOptions& opt
   stages.reached.options = options;
   if (stages.reached.result && stages.reached.result->parts.isUnreached == found.parts.isUnreached)
   {
-    stages.reached.result->parts = std::move(found.parts); // what was made for this model may stay
+    stages.reached.result->parts = std::move(found.parts); // the stages made for this model stay valid
     stages.reached.result->zones = std::move(found.zones);
   }
   else
@@ -202,8 +202,7 @@ std::optional<OctreeGrid> makeReached(DualStages& stages, const ZoneOptions& opt
   return grid;
 }
 
-/// The stages up to the plain mesh, as far as they are not there; what only they need is freed unless it is kept: it is
-/// larger than the mesh.
+/// Makes the missing stages up to the plain mesh. Unless `keep`, frees the grid after use: it is larger than the mesh.
 void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, const DrawnModel* drawn, MeshPort& port,
                StageClock& clock, const MeshingContext& whole)
 {
@@ -240,7 +239,7 @@ void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, co
   clock.lap("elements");
 }
 
-/// Puts mesh and diagnostics along the model's axes.
+/// Rotates mesh and diagnostics to the model's axes.
 void placeInModel(DualMeshResult& result, const Placement& placement, const RunContext& context)
 {
   if (placement.angle() == 0.0)

@@ -17,26 +17,26 @@ class MeshPort;
 /// The dual before walls are improved and have layers, and what was found on the way.
 struct PlainDual
 {
-  /// Without a mesh.
+  /// Everything found so far; its mesh is empty.
   DualMeshResult found;
   ClassifiedMesh mesh;
   SeenModel seen;
 };
 
-/// What of the model air may reach.
+/// Parts of the model that air may reach.
 struct ReachedStage
 {
   UnreachedParts parts;
-  /// Null where that is all of it.
+  /// Null if air may reach all of the model.
   std::unique_ptr<ReachedModel> model;
-  /// Empty there.
+  /// Empty if `model` is null.
   WholeZones zones;
 
-  /// `whole` is of all of the model.
+  /// Returns `whole`, the context of the whole model, with the model that air may reach.
   MeshingContext in(const MeshingContext& whole) const { return model ? model->in(whole) : whole; }
 };
 
-/// What runs leave for later ones on the same octree and model, where they are.
+/// Results that a run leaves for later ones on the same octree and model, which must not be moved in memory.
 struct DualStages
 {
   std::optional<TriangleTreeOnDemand> tree;
@@ -46,10 +46,12 @@ struct DualStages
 };
 
 /// Makes the dual of an octree whose leaves know their pieces of the model. The octree and its model are along the
-/// grid's axes (`GridFrame::placement`), the mesh is along the model's. `drawn` tells which zones are inside of closed
-/// bodies; without it only their faces do. Stages whose options are those of the run before are taken from `kept`, and
-/// the others left there; without it each is freed as soon as it is used. `port` agrees with the processes that make
-/// other parts of the mesh. Throws Error if no zone is left, Aborted on demand.
+/// grid's axes (`GridFrame::placement`), the mesh is along the model's.
+/// \param kept   Stages whose options are unchanged are taken from here, and the others are left here. If null, each
+///               stage is freed as soon as it is used.
+/// \param drawn  Tells which zones are inside of closed bodies; if null, only the faces of zones do.
+/// \param port   Agrees with the processes that make other parts of the mesh.
+/// \throws Error if no zone is left, Aborted on demand.
 DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
                             StageClock& clock, const RunContext& context, DualStages* kept, const DrawnModel* drawn,
                             MeshPort& port);

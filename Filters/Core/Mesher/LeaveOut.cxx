@@ -13,7 +13,7 @@ namespace atria {
 
 namespace {
 
-/// Gives what was beside elements boundary faces in their place.
+/// Gives the neighbors of elements boundary faces in their place.
 void closeBeside(const std::vector<Index>& elements, ImprovedMesh& improved)
 {
   DualMesh& mesh = improved.mesh;
@@ -104,7 +104,7 @@ void compactPoints(ImprovedMesh& improved)
   improved.pointNumbers = numbers;
 }
 
-/// Of an element, its faces as triangles about the mean of their points.
+/// Returns the volume of an element whose faces are triangles around the mean of their points.
 double volumeOf(const DualMesh& mesh, Index element, const Vec3& origin)
 {
   double volume = 0.0;

@@ -6,10 +6,9 @@
 
 namespace atria {
 
-/// Takes elements, in order, out of a mesh with all that belongs to them. Faces between them and others are boundary
-/// faces then, of the surface that wallsOf() tells, which there is for each. Elements, faces and points keep their
-/// order.
-/// `mesh.numbers`, `mesh.pointNumbers` and `mesh.leftOut` tell of it.
+/// Takes elements, which are sorted, and all that belongs to them out of a mesh. Faces between them and other elements
+/// become boundary faces, on the surface that wallsOf() returns; it must return one for each element. Elements, faces
+/// and points keep their order. Records the change in `mesh.numbers`, `mesh.pointNumbers` and `mesh.leftOut`.
 void leaveOut(const std::vector<Index>& elements, ImprovedMesh& mesh);
 
 } // namespace atria

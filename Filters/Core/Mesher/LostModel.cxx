@@ -20,7 +20,7 @@ std::vector<std::string> warningsOfLostModel(const std::vector<char>& isGround, 
   }
   std::ostringstream text;
   text << "no surface of the model has a face in the mesh, but for ground: all are finer than its elements; lower "
-          "SizeMin (--size-min), which is "
+          "SizeMin, which is "
        << sizeMin;
   return {text.str()};
 }

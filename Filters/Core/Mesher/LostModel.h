@@ -11,7 +11,7 @@ namespace atria {
 
 /// Returns a sentence if no surface but the ground has a face in the mesh, though there are others.
 /// \param isGround  One flag per surface.
-/// \param met       One entry per surface; more are ignored.
+/// \param met       One entry per surface; further entries are ignored.
 std::vector<std::string> warningsOfLostModel(const std::vector<char>& isGround, double sizeMin,
                                              const std::vector<MetSides>& met);
 

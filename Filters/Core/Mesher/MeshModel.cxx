@@ -16,11 +16,11 @@ namespace atria {
 
 namespace {
 
-/// The part of the run that is over when there is an octree.
+/// Share of the run's progress that is over when there is an octree.
 constexpr double octreeShare = 0.4;
 
-/// Throws Error where the domain of a frame holds nothing of the model. What else there is to say of it whoever made
-/// the octants has been told.
+/// Throws Error if the domain of a frame holds nothing of the model. All other warnings were given when the octants
+/// were made.
 void checkHoldsModel(const TriangleSurface& surface, const SiteOptions& options, const GridFrame& frame)
 {
   const double sizeMin = frame.sizeOf(frame.featureLevel);
@@ -63,7 +63,7 @@ void takeOctree(const TriangleSurface& model, const OctreeSets& octants, const M
 
 } // namespace
 
-/// What the octree is made of.
+/// Sources of the octree.
 struct OctreeInput
 {
   TriangleSurface surface;

@@ -14,9 +14,9 @@ namespace atria {
 struct ModelOctree;
 struct OctreeSets;
 
-/// What runs leave for later ones: the stages up to layers. A later run takes from it those whose input and options are
-/// the same, bit by bit; its mesh is that of a run without. It may be left with what an aborted run has finished.
-/// 150 to 200 bytes an element, the copy of the mesh that layers are grown on among them.
+/// Results that a run leaves for later ones: the stages up to layers. A later run takes those stages whose input and
+/// options are the same, bit by bit; its mesh is that of a run without cache. An aborted run leaves the stages that it
+/// has finished. Takes 150 to 200 bytes an element, including the copy of the mesh that layers are grown on.
 class StageCache
 {
 public:
@@ -29,7 +29,7 @@ public:
   /// Null before the first run.
   const ModelOctree* sources() const;
 
-  struct Stages; ///< of meshModel()
+  struct Stages; ///< used by meshModel()
   Stages& stages() { return *stages_; }
 
 private:
@@ -37,19 +37,18 @@ private:
 };
 
 /// Meshes a model: places it in its grid, repairs it, sizes octants, and meshes their dual. The result depends neither
-/// on threads nor on what `cache` holds. Throws Error where the options cannot be met, Aborted on demand.
+/// on threads nor on what `cache` holds. Throws Error if the options cannot be met, Aborted on demand.
 ///
 /// The stages are sizeModel(), buildOctree() and meshOctree() in Mesher/MeshStages.h.
 MeshedModel meshModel(const TriangleSurface& surface, const MesherOptions& options, const RunContext& context,
                       StageCache* cache = nullptr);
 
-/// The same for octants that are given, which are balanced if they are not. Of the options those of sizes and domain
-/// are not used.
+/// The same for given octants, which are balanced if they are not. The options for sizes and domain are not used.
 MeshedModel meshModel(const TriangleSurface& surface, const OctreeSets& octants, const MesherOptions& options,
                       const RunContext& context, StageCache* cache = nullptr);
 
-/// Elements that the layers asked for add to the mesh, all zones counted: roughly, as sheets have layers on both sides.
-/// Builds the octree. Throws as meshModel().
+/// Estimates the elements that the requested layers add to the mesh, in all zones: roughly, as sheets have layers on
+/// both sides. Builds the octree. Throws as meshModel() does.
 std::size_t estimateLayerElements(const TriangleSurface& surface, const MesherOptions& options,
                                   const RunContext& context);
 

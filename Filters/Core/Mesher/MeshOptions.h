@@ -12,23 +12,23 @@ namespace atria {
 /// Options for the faces of the mesh at gaps of the model.
 struct CrossingOptions
 {
-  /// Cracks beside boundary edges that are no wider than this part of the octants there are closed; 0 closes none.
-  /// Wider ones are open where an edge of the grid passes.
+  /// Closes cracks beside boundary edges that are no wider than this part of the octants there; 0 closes none. Wider
+  /// ones are open where an edge of the grid passes.
   double crackTolerance = 0.5;
 };
 
 /// Options for walls.
 struct WallOptions
 {
-  /// Layers of elements on walls. Elements at the boundary are made valid, too, also by a rule that asks for no layers;
-  /// without rules the mesh is the dual as it is.
+  /// Layers of elements on walls. Any rule makes elements at the boundary valid, even if it requests no layers; without
+  /// rules the mesh is the dual as it is.
   std::vector<LayerRule> layers = {};
-  /// True if walls for which a rule requests no layers have one at elements that cannot be valid without: those that
-  /// are concave there or have too few neighbors, wherever their vertices are.
+  /// True if walls for which no layers are requested get one at elements that cannot be valid without: those that are
+  /// concave there or have too few neighbors, wherever their vertices are.
   bool supportElements = true;
-  /// Where walls have a layer.
+  /// Targets at curved walls that have a layer.
   CurvedWallTargets curvedWalls = {};
-  /// Vertices of blocks of at most about this many octants are improved together; see improveBlocks. 0 improves the
+  /// Improves together the vertices of blocks of at most about this many octants; see improveBlocks. 0 improves the
   /// mesh as a whole.
   std::size_t blockSize = 0;
 };

@@ -22,8 +22,8 @@ void reportMesh(const MeshSources& sources, const std::vector<char>& metCellZone
   out.auditWarnings = warningsOf(out.audit, model.names, frame);
   out.ground = grounded.report;
   out.notes = grounded.report.notes;
-  const std::vector<std::string> ofBodies = notesOf(out.audit.bodies, model.names);
-  out.notes.insert(out.notes.end(), ofBodies.begin(), ofBodies.end());
+  const std::vector<std::string> ofAudit = notesOf(out.audit, model.names, frame);
+  out.notes.insert(out.notes.end(), ofAudit.begin(), ofAudit.end());
   out.names = model.names;
   out.kinds = model.kinds;
   out.repair = model.repair;

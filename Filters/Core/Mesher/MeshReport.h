@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Says of a mesh what a user should know, whether one process or several made it.
+/// Reports what a user should know of a mesh, whether one process or several made it.
 #pragma once
 
 #include "Mesher/DrawnModel.h"
@@ -8,18 +8,18 @@
 
 namespace atria {
 
-/// What a mesh was made of.
+/// Sources of a mesh.
 struct MeshSources
 {
-  /// As drawn, but standing on its ground.
+  /// The model as drawn, but standing on its ground.
   const GroundedInput& grounded;
   const DrawnModel& drawn;
   const SurfaceModel& model;
   const GridFrame& frame;
 };
 
-/// Completes the audit, and adds warnings, notes and names to a mesh that is in the model.
-/// \param metCellZones  By surface, whether elements are in the cell zone within it.
+/// Completes the audit, and adds warnings, notes and names to a mesh that is along the model's axes.
+/// \param metCellZones  One flag per surface: nonzero if elements are in the cell zone within it.
 void reportMesh(const MeshSources& sources, const std::vector<char>& metCellZones, MeshedModel& out);
 
 } // namespace atria

@@ -23,39 +23,40 @@ namespace atria {
 struct DualMeshResult
 {
   DualMesh mesh;
-  /// By tag of boundary faces; see findMetSides.
+  /// One entry per tag of boundary faces; see findMetSides.
   std::vector<MetSides> metSides;
   std::vector<Diagnostic> diagnostics;
-  /// Zones found, and which of them the mesh keeps; `zones` of the mesh are indices into these.
+  /// One entry per zone found: a flag for those that the mesh keeps, and a summary. `zones` of the mesh are indices
+  /// into these.
   std::vector<char> keptZones;
   std::vector<ZoneSummary> zones;
   /// In the order of the diagnostics of their kind.
   std::vector<Leak> leaks;
   /// Empty without rules for layers.
   LayerReport layers = {};
-  /// Empty where no surface is a face zone. `rooms` of the mesh are indices into its rooms.
+  /// Empty if no surface is a face zone. `rooms` of the mesh are indices into its rooms.
   RoomReport rooms = {};
-  /// Without what was drawn, until it is completed: see Mesher/AuditReport.h.
+  /// Lacks what was drawn until it is completed: see Mesher/AuditReport.h.
   MeshAudit audit = {};
 };
 
 /// The mesh of a model.
 struct MeshedModel : DualMeshResult
 {
-  /// Names of the surfaces; tags of boundary faces from their number on are bare sides of the domain, by number.
+  /// Names of the surfaces. Tags of boundary faces from their count on are bare sides of the domain, by number.
   std::vector<std::string> names;
-  /// Of each surface; empty where all are walls.
+  /// One entry per surface; empty if all are walls.
   std::vector<SurfaceKind> kinds;
   SurfaceRepairReport repair;
-  /// What a user should know of the domain and of cell zones, a sentence each; see checkDomain.
+  /// Warnings about the domain and cell zones, a sentence each; see checkDomain.
   std::vector<std::string> inputWarnings;
-  /// How the mesh differs from the model, a sentence each; see warningsOf() in Mesher/AuditReport.h.
+  /// Differences between the mesh and the model, a sentence each; see warningsOf() in Mesher/AuditReport.h.
   std::vector<std::string> auditWarnings;
-  /// What sizes had to be left out to keep to the limit of elements; empty if nothing.
+  /// Says which sizes were left out to keep to the limit of elements; empty if none.
   std::string sizingWarning;
-  /// How bodies stand on the ground; what there is to say of it is among `inputWarnings` and `notes`.
+  /// Describes how bodies stand on the ground. Its warnings and notes are among `inputWarnings` and `notes`.
   GroundReport ground;
-  /// What was done with the model, or is as it was drawn, a sentence each.
+  /// Notes on what was done with the model, or stays as it was drawn, a sentence each.
   std::vector<std::string> notes;
   /// The level of the finest octants.
   int maximumLevel = 0;

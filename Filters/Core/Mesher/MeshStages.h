@@ -14,19 +14,19 @@ struct PreparedModel
   SurfaceModel model;
   /// The model as drawn, but standing on its ground.
   GroundedInput grounded;
-  /// As in MeshedModel.
+  /// Same as in MeshedModel.
   std::vector<std::string> inputWarnings;
   std::string sizingWarning;
   int maximumLevel = 0;
 };
 
-/// The octree that holds it.
+/// A prepared model and the octree that holds it.
 struct ModelOctree : PreparedModel
 {
   Octree octree;
 };
 
-/// The octants it asks for, balanced.
+/// A prepared model and the octants that it requires, balanced.
 struct SizedModel : PreparedModel
 {
   GridFrame frame;
@@ -38,7 +38,7 @@ SizedModel sizeModel(const TriangleSurface& surface, const ModelOptions& options
                      const RunContext& context);
 
 /// Meshes the dual of an octree whose leaves know their pieces of the model, and reports how it differs from the model.
-/// `kept` and `port` are as of makeDualMesh().
+/// `kept` and `port` are as for makeDualMesh().
 MeshedModel meshOctree(const PreparedModel& prepared, const Octree& octree, const MesherOptions& options,
                        DualStages* kept, MeshPort& port, StageClock& clock, const RunContext& context);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/ModelOpenings.h"
 
-#include "Support/Error.h"
 #include "Support/NamePattern.h"
 #include "Surface/Openings/Openings.h"
 #include "Surface/Search/Distance.h"
@@ -13,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// Against octants at features. Narrower ones CrackTolerance may close.
+/// Least width of openings, over the size of octants at features. CrackTolerance may close narrower ones.
 constexpr double leastWidth = 0.9;
 
 std::vector<char> surfacesWith(const std::vector<std::string>& names, const std::vector<std::string>& without)
@@ -21,23 +20,13 @@ std::vector<char> surfacesWith(const std::vector<std::string>& names, const std:
   std::vector<char> with(names.size(), 1);
   for (const std::string& pattern : without)
   {
-    bool met = pattern == "*";
-    for (std::size_t i = 0; i < names.size(); ++i)
-    {
-      const bool matches = matchesPattern(pattern, names[i]);
-      with[i] = matches ? 0 : with[i];
-      met = met || matches;
-    }
-    if (!met)
-    {
-      throw Error("no surface matches '" + pattern + "', in which no openings are to be found; " +
-                  namesInstead(pattern, names));
-    }
+    const std::vector<char> matching = matchingSurfaces(pattern, names, "in which no openings are to be found");
+    std::ranges::transform(with, matching, with.begin(), [](char is, char matches) { return matches ? 0 : is; });
   }
   return with;
 }
 
-/// The first name of its kind that is not taken.
+/// Returns the first name of this pattern that is not taken.
 std::string nameOf(const std::string& wall, int& number, std::set<std::string>& taken)
 {
   std::string name;
@@ -48,7 +37,7 @@ std::string nameOf(const std::string& wall, int& number, std::set<std::string>& 
   return name;
 }
 
-/// Adds openings as surfaces of their own behind those that have names; returns the surface each is an opening of.
+/// Adds openings as surfaces of their own after the named ones. Returns the surface that each is an opening of.
 std::vector<Index> addOpenings(const std::vector<FoundOpening>& openings, const GridFrame& frame, TriangleSurface& to)
 {
   const std::size_t drawn = to.names.size();

@@ -16,23 +16,23 @@ namespace atria {
 struct ModelOptions
 {
   SiteOptions site;
-  /// The domain and the finest size asked for follow from the other options.
+  /// The domain and the finest requested size follow from the other options.
   GridOptions sizes;
   SizingOptions sizing;
-  /// Degrees between normals (creases) or tangents (corners) above which they are kept.
+  /// Angle in degrees between normals (creases) or tangents (corners) above which features are kept.
   double featureAngle = 30.0;
-  /// Gaps narrower than this are closed; a twentieth of `sizes.sizeMin` where nothing is given.
+  /// Closes gaps narrower than this; a twentieth of `sizes.sizeMin` if not given.
   std::optional<double> gapTolerance;
-  /// Connected parts of the model with a bounding box of a shorter diagonal than this many octants of sizeMin are left
-  /// out, but for those of surfaces that rules of sizes name; 0 leaves out none. See findSmallParts.
+  /// Leaves out connected parts of the model whose bounding box has a diagonal shorter than this many octants of
+  /// sizeMin, except surfaces that rules of sizes name; 0 leaves out none. See findSmallParts.
   double smallPartSize = 1.0;
-  /// Patterns of the names of surfaces one can look through, SurfaceKind::faceZone.
+  /// Name patterns of surfaces that air passes through: SurfaceKind::faceZone.
   std::vector<std::string> faceZones;
-  /// Of closed surfaces that enclose a zone, without being walls: SurfaceKind::cellZone.
+  /// Name patterns of closed surfaces that enclose a zone, but are no walls: SurfaceKind::cellZone.
   std::vector<std::string> cellZones;
   /// True if openings are found by rule; see withOpenings in Mesher/ModelOpenings.h.
   bool findOpenings = false;
-  /// Patterns of the names of surfaces in which none are.
+  /// Name patterns of surfaces in which no openings are searched.
   std::vector<std::string> withoutOpenings;
 };
 

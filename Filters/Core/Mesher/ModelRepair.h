@@ -9,7 +9,7 @@
 
 namespace atria {
 
-/// Places a model in its grid and repairs it. Returns what changes. Throws Error if the options cannot be met, Aborted
+/// Places a model in its grid and repairs it. Returns the changes. Throws Error if the options cannot be met, Aborted
 /// on demand.
 SurfaceRepairReport reportRepair(const TriangleSurface& surface, const ModelOptions& options,
                                  const RunContext& context);

@@ -10,6 +10,7 @@
 #include "Surface/Search/Distance.h"
 
 #include <algorithm>
+#include <functional>
 #include <numbers>
 #include <sstream>
 #include <utility>
@@ -18,7 +19,7 @@ namespace atria {
 
 namespace {
 
-/// Gaps that are closed where nothing is said of them, against SizeMin.
+/// Width of gaps that are closed if no tolerance is given, over SizeMin.
 constexpr double gapRatio = 0.05;
 
 GridOptions sizesOf(const ModelOptions& options)
@@ -31,31 +32,23 @@ GridOptions sizesOf(const ModelOptions& options)
 void setKind(SurfaceKind kind, const std::vector<std::string>& patterns, const std::vector<std::string>& names,
              std::vector<SurfaceKind>& kinds)
 {
-  const char* zone = kind == SurfaceKind::faceZone ? "a face zone" : "a cell zone";
+  const char* purpose = kind == SurfaceKind::faceZone ? "which is to be a face zone" : "which is to be a cell zone";
   for (const std::string& pattern : patterns)
   {
     kinds.resize(names.size(), SurfaceKind::wall);
-    bool met = false;
+    const std::vector<char> matching = matchingSurfaces(pattern, names, purpose);
     for (std::size_t i = 0; i < names.size(); ++i)
     {
-      if (matchesPattern(pattern, names[i]))
+      if (matching[i] && kinds[i] != SurfaceKind::wall && kinds[i] != kind)
       {
-        if (kinds[i] != SurfaceKind::wall && kinds[i] != kind)
-        {
-          throw Error("surface '" + names[i] + "' is asked to be both a face zone and a cell zone");
-        }
-        kinds[i] = kind;
-        met = true;
+        throw Error("surface '" + names[i] + "' is asked to be both a face zone and a cell zone");
       }
-    }
-    if (!met)
-    {
-      throw Error("no surface matches '" + pattern + "', which is to be " + zone + "; " + namesInstead(pattern, names));
+      kinds[i] = matching[i] ? kind : kinds[i];
     }
   }
 }
 
-/// Empty where all are walls.
+/// Returns the kind of each surface; empty if all are walls.
 std::vector<SurfaceKind> kindsOf(const std::vector<std::string>& names, const ModelOptions& options)
 {
   std::vector<SurfaceKind> kinds;
@@ -64,7 +57,7 @@ std::vector<SurfaceKind> kindsOf(const std::vector<std::string>& names, const Mo
   return kinds;
 }
 
-/// Adds to the entries of the same two surfaces; by `gives` and then by `keeps`.
+/// Adds areas to the entries of the same two surfaces. Entries are sorted by `gives` and then by `keeps`.
 void addShared(const std::vector<SharedArea>& some, std::vector<SharedArea>& to)
 {
   const auto pairOf = [](const SharedArea& shared) { return std::pair(shared.gives, shared.keeps); };
@@ -98,10 +91,10 @@ GroundedInput groundModel(const TriangleSurface& surface, const ModelOptions& op
   GroundRules rules{options.sizes.sizeMin, bottom, SurfaceFlags(surface.names.size(), 0)};
   for (const std::vector<std::string>* patterns : {&options.faceZones, &options.cellZones})
   {
-    for (std::size_t i = 0; i < surface.names.size(); ++i)
+    for (const std::string& pattern : *patterns)
     {
-      rules.asDrawn[i] |= std::ranges::any_of(
-          *patterns, [&](const std::string& pattern) { return matchesPattern(pattern, surface.names[i]); });
+      const std::vector<char> matching = matchingNames(pattern, surface.names);
+      std::ranges::transform(rules.asDrawn, matching, rules.asDrawn.begin(), std::bit_or<>());
     }
   }
   GroundedModel grounded = groundModel(surface, options.site, rules);
@@ -117,15 +110,15 @@ SitePlan planSite(const TriangleSurface& surface, const ModelOptions& options)
 
 std::vector<std::string> checkDomain(const TriangleSurface& surface, const SitePlan& plan, const ModelOptions& options)
 {
-  // A polygon is given, whatever the heights follow from.
+  // A polygon counts as a given domain, whatever its heights follow from.
   const DomainMode mode = options.site.polygon.empty() ? options.site.mode : DomainMode::bounds;
   std::vector<std::string> warnings = checkDomain(surface, plan, mode, options.sizes.sizeMin);
   if (const double width = narrowestSide(plan.domain); width < std::numbers::sqrt2 * options.sizes.sizeMax)
   {
     std::ostringstream text;
     text << "sides of the domain are as narrow as " << width
-         << " m, so that some may lie between elements and have no face: give it fewer sides (DomainSides, "
-            "--domain-sides), or a SizeMax (--size-max) of less than 0.7 of that";
+         << " m, so that some may lie between elements and have no face: give it fewer sides (DomainSides), or a "
+            "SizeMax of less than 0.7 of that";
     warnings.push_back(text.str());
   }
   return warnings;

@@ -9,7 +9,7 @@
 
 namespace atria {
 
-/// A model on its ground: what all that follows takes in place of the model and the options.
+/// A model on its ground. All later stages take it in place of the model and the options.
 struct GroundedInput
 {
   TriangleSurface surface;
@@ -17,32 +17,34 @@ struct GroundedInput
   GroundReport report;
 };
 
-/// See groundModel in Domain/GroundedModel.h. Zones stay as drawn. `bottom` is that of octants that are given.
+/// Puts a model on its ground; see groundModel in Domain/GroundedModel.h. Face and cell zones stay as drawn. `bottom`
+/// is the bottom of given octants.
 GroundedInput groundModel(const TriangleSurface& surface, const ModelOptions& options,
                           std::optional<double> bottom = {});
 
-/// Domain and ground; see planSite.
+/// Plans domain and ground; see planSite.
 SitePlan planSite(const TriangleSurface& surface, const ModelOptions& options);
 
-/// What a user should know of the domain; see checkDomain in Domain/DomainCheck.h. Throws Error where it holds nothing
-/// of the model.
+/// Returns warnings about the domain; see checkDomain in Domain/DomainCheck.h. Throws Error if it holds nothing of the
+/// model.
 std::vector<std::string> checkDomain(const TriangleSurface& surface, const SitePlan& plan, const ModelOptions& options);
 
-/// The model in the grid that a plan says. Throws Error where sizes and domain do not fit.
+/// Places the model in the grid of a plan. Throws Error if sizes and domain do not fit.
 PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, const ModelOptions& options);
 
-/// The model, on its ground, in its grid. Throws Error where the options cannot be met.
+/// Places the model, on its ground, in its grid. Throws Error if the options cannot be met.
 PlacedModel placeModel(const TriangleSurface& surface, const ModelOptions& options);
 
-/// The model on the lattice, repaired, with its features; see makeSurfaceModel. Throws Error for patterns that match no
-/// surface, and for surfaces that are to be zones of both kinds.
+/// Returns the model on the lattice, repaired, with its features; see makeSurfaceModel. Throws Error for patterns that
+/// match no surface, and for surfaces that are to be zones of both kinds.
 SurfaceModel makeSurfaceModel(const PlacedModel& placed, const ModelOptions& options, const RunContext& context);
 
-/// See sizeOctants. In a turned grid a refinement box is the box along the grid's axes that holds the one given.
+/// Sizes octants; see sizeOctants. In a turned grid a refinement box becomes the box along the grid's axes that holds
+/// it.
 SizedOctants sizeOctants(const SurfaceModel& model, const GridFrame& frame, const ModelOptions& options,
                          const RunContext& context);
 
-/// See estimateElements.
+/// Estimates the elements of the mesh; see estimateElements.
 MeshEstimate estimateElements(const SurfaceModel& model, const GridFrame& frame, const ModelOptions& options,
                               const RunContext& context);
 

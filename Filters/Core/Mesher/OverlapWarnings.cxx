@@ -18,7 +18,7 @@ std::string squareMeters(double area)
   return text.str();
 }
 
-/// One sentence for all pairs, which names the two that have most in common.
+/// Returns one sentence for all pairs, which names the pair with the largest common area.
 std::string textOfEqual(std::vector<SharedArea> equal, const std::vector<std::string>& names)
 {
   std::ranges::stable_sort(equal, std::ranges::greater(), &SharedArea::equalArea);
@@ -42,7 +42,7 @@ std::string textOfOpened(const SharedArea& shared, const std::vector<std::string
 {
   return "the face zone '" + names[shared.keeps] + "' opens the wall '" + names[shared.gives] +
          "', on which it lies, in " + squareMeters(shared.openedArea) +
-         ": air passes there. Take it out of FaceZones (--face-zone) if it should not";
+         ": air passes there. Take it out of FaceZones if it should not";
 }
 
 std::string textOfClosed(const SharedArea& shared, const std::vector<std::string>& names)

@@ -15,7 +15,7 @@ namespace atria {
 
 namespace {
 
-/// The leaves kept elements have, in order; `numbers` becomes their vertex numbers.
+/// Returns the leaves of kept elements, in order; `numbers` becomes their vertex numbers.
 std::vector<Index> numberVertices(const GridPoints& points, const std::vector<Index>& elements, std::size_t leafCount,
                                   std::vector<Index>& numbers, const RunContext& context)
 {
@@ -41,8 +41,8 @@ std::vector<Index> numberVertices(const GridPoints& points, const std::vector<In
   return used;
 }
 
-/// For each boundary face between grid points, its code as a neighbor in the mesh; noFace where neither element is
-/// kept.
+/// Returns, for each boundary face between grid points, its code as a neighbor in the mesh; noFace if its element is
+/// not kept.
 std::vector<std::int32_t> fillBoundary(DualMesh& mesh, const Crossings& crossings, const std::vector<Index>& elements,
                                        const RunContext& context)
 {
@@ -61,7 +61,7 @@ std::vector<std::int32_t> fillBoundary(DualMesh& mesh, const Crossings& crossing
   return codes;
 }
 
-/// Both elements of a face are in one zone.
+/// Returns the faces of zones between kept elements. Both elements of a face are in one zone.
 std::vector<ZoneFace> zoneFacesOf(std::vector<ZoneFace> faces, const std::vector<Index>& elements)
 {
   std::erase_if(faces, [&](const ZoneFace& face) { return elements[face.element] == noIndex; });
@@ -72,7 +72,7 @@ std::vector<ZoneFace> zoneFacesOf(std::vector<ZoneFace> faces, const std::vector
   return faces;
 }
 
-/// Labels of elements from those of grid points, if there are any.
+/// Sets the labels of elements from those of grid points, if there are any.
 void fillLabels(Buffer<std::int32_t>& out, const std::vector<std::int32_t>& ofPoint, const std::vector<Index>& elements,
                 std::size_t count, const RunContext& context)
 {
@@ -145,8 +145,8 @@ void fillNeighbors(DualMesh& mesh, const Crossings& crossings, const Zones& zone
 
 bool isCluster(const Octree& octree, Index leaf) { return octree.featureType(leaf) == FeatureType::cluster; }
 
-/// Of each vertex that stands between pieces or in a cluster, with an element that has it. `leaves` are those of the
-/// vertices.
+/// Adds each vertex that stands between pieces or in a cluster, with an element that has it. `leaves` are the leaves of
+/// the vertices.
 void appendUnresolved(const DualMesh& mesh, const Octree& octree, const std::vector<Index>& leaves,
                       std::vector<char> compromised, std::vector<Diagnostic>& out)
 {
@@ -191,12 +191,12 @@ void appendMerged(const Crossings& crossings, const std::vector<Index>& elements
     const auto cuts = crossings.of(edge);
     out.push_back({Diagnostic::mergedSheets, at(cuts.front()), at(cuts.back()), here != noIndex ? here : there});
   }
-  // In any part of a grid they have the same order then.
+  // This order is the same in any part of a grid.
   std::stable_sort(out.begin() + first, out.end(),
                    [](const Diagnostic& l, const Diagnostic& r) { return l.element < r.element; });
 }
 
-/// Vertices that the sides of a turned domain have put where they are stay there.
+/// Fixes vertices that were moved by the sides of a turned domain.
 void fixMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& points, VertexClassification& classification)
 {
   for (std::size_t v = 0; v < before.size(); ++v)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// From the octree to its dual as it is.
+/// Makes the dual of an octree, not yet improved.
 #pragma once
 
 #include "Dual/Displacement/DisplacedGrid.h"
@@ -12,7 +12,7 @@
 
 namespace atria {
 
-/// The octree's own grid: its points, and what cuts its edges.
+/// The octree's own grid: its points, and the cuts of its edges.
 struct OctreeGrid
 {
   OctreeGrid(StageClock& clock, const MeshingContext& context);
@@ -24,8 +24,8 @@ struct OctreeGrid
   Crossings crossings;
 };
 
-/// The grid that is meshed: the octree's points, what is ahead of boundary edges, and what cuts the edges of the
-/// displaced grid.
+/// The grid that is meshed: the octree's points, the gaps ahead of boundary edges, and the cuts of the displaced grid's
+/// edges.
 struct CrossedGrid
 {
   /// `port` divides the grid's points.
@@ -34,14 +34,14 @@ struct CrossedGrid
 
   GridPoints points;
   BoundaryGaps gaps;
-  DisplacedGrid displaced; ///< of these points
+  DisplacedGrid displaced; ///< refers to `points`
 };
 
-/// New numbers of the grid points that become elements; noIndex for the others.
+/// Returns new numbers for the grid points that become elements; noIndex for the others.
 std::vector<Index> numberElements(const Zones& zones, const std::vector<char>& kept, const RunContext& context);
 
-/// Places the vertices and makes the elements of numbered grid points. Unless the grid is kept, what of it is not
-/// needed any more is freed step by step: it is as large as the mesh.
+/// Places the vertices and makes the elements of numbered grid points. Unless `keepGrid`, frees the parts of the grid
+/// as soon as they are not needed: it is as large as the mesh.
 ClassifiedMesh makeElements(CrossedGrid& grid, bool keepGrid, const Zones& zones, const std::vector<Index>& elements,
                             Labels labels, std::vector<Diagnostic>& diagnostics, StageClock& clock,
                             const MeshingContext& context);

@@ -14,9 +14,9 @@ namespace atria {
 
 namespace {
 
-/// Fewer octants across a space than these do not hold a flow.
+/// Fewest octants across a space that resolve a flow in it.
 constexpr double fewestAcross = 3.0;
-/// Higher than any building: the model is likely to be in inches or feet.
+/// Height above any building, in meters: a higher model is likely to be in inches or feet.
 constexpr double highestBuilding = 830.0;
 
 template <typename... Parts> std::string text(const Parts&... parts)
@@ -58,7 +58,7 @@ void measureBlockages(const TriangleSurface& surface, const SitePlan& plan, doub
     {
       continue;
     }
-    // Sides that face each other see the same.
+    // Opposite sides have the same blockage.
     const auto facing = std::ranges::find_if(
         known, [&](const PrismSide* other) { return other->normal.dot(side.normal) < -1.0 + 1e-12; });
     double& blockage = out.blockages[side.number];
@@ -106,7 +106,8 @@ std::size_t leavesInside(const Octree& octree)
   return count;
 }
 
-/// Of a prism that is no box the nearest side stands for all, as each may be the outlet.
+/// Warns of sides that are too near. Any side of a prism that is no box may be the outlet, so that the nearest one
+/// stands for all.
 void warnOfDistances(Preflight& out, const WindRules& rules)
 {
   const std::array<double, 6> ofBox{
@@ -124,7 +125,7 @@ void warnOfDistances(Preflight& out, const WindRules& rules)
       tooNear.push_back(side.number);
     }
   }
-  std::ranges::sort(tooNear); // those of a box by Direction
+  std::ranges::sort(tooNear); // sides of a box are numbered by Direction
   if (!out.domain.isBox() && !tooNear.empty())
   {
     const Index nearest = std::ranges::min(tooNear, {}, [&](Index side) { return out.distances[side]; });
@@ -197,7 +198,7 @@ void warnOfTerrain(const TerrainOutline& terrain, std::vector<std::string>& warn
   }
 }
 
-/// Sizes that make too many elements are one of the things to report.
+/// Estimates the number of elements. Sizes that make too many are reported, not thrown.
 void estimate(const SurfaceModel& model, const GridFrame& frame, const ModelOptions& options, Preflight& out,
               const RunContext& context)
 {
@@ -223,7 +224,7 @@ Preflight preflight(const TriangleSurface& asRead, const ModelOptions& asked, co
   const PlacedModel placed = placeModel(surface, plan, options);
   context.progress.report(0.02, "Repairing surfaces");
   ModelOptions asDrawn = options;
-  asDrawn.findOpenings = false; // they are to be measured
+  asDrawn.findOpenings = false; // openings are to be measured
   const SurfaceModel model = makeSurfaceModel(placed, asDrawn, context.part(0.02, 0.1));
   Preflight out;
   out.warnings = checkDomain(surface, plan, options);
@@ -237,7 +238,7 @@ Preflight preflight(const TriangleSurface& asRead, const ModelOptions& asked, co
   out.gridAngle = plan.grid.angle();
   out.widened = plan.widened;
   measureSite(surface, plan, out);
-  // Closer than this surfaces become one anyhow.
+  // Surfaces closer than this are merged anyhow.
   constexpr double seamRatio = 1e-3;
   out.narrow = findNarrowPlaces(model, frame, seamRatio * sizeMin, context);
   for (Narrow* narrow : {&out.narrow.opening, &out.narrow.gap})

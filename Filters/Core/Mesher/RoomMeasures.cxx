@@ -16,14 +16,14 @@ namespace atria {
 
 namespace {
 
-/// What is summed up, and of what.
+/// Quantities that are summed up.
 enum class Measure : std::int32_t
 {
-  volume,     ///< of a room
-  floorArea,  ///< of a room
-  groupArea,  ///< of a room, in surfaces of a group
-  openings,   ///< of a surface, between two rooms
-  openingAxis ///< of a surface, one axis of its area vector
+  volume,     ///< volume of a room
+  floorArea,  ///< floor area of a room
+  groupArea,  ///< area of a group's surfaces in a room
+  openings,   ///< area of a surface between two rooms
+  openingAxis ///< one component of a surface's area vector
 };
 using MeasureKey = std::array<std::int32_t, 4>;
 
@@ -200,7 +200,7 @@ private:
       opening.rooms = area > most ? rooms : opening.rooms;
       most = std::max(most, area);
     }
-    // Those found by rule are plane, though layers may bend the faces at their border.
+    // Openings found by rule are plane, though layers may bend the faces at their border.
     opening.area = opening.wall != surface ? vector.norm() : opening.area;
     for (const std::int32_t room : std::set(opening.rooms.begin(), opening.rooms.end()))
     {
@@ -212,7 +212,7 @@ private:
     report.openings.push_back(opening);
   }
 
-  /// The group that most of a room's surfaces are of by area; empty without one.
+  /// Returns the group that has more than half of a room's surfaces, by area; empty if there is none.
   std::string groupOf(std::size_t room) const
   {
     double all = 0.0;
@@ -252,7 +252,7 @@ private:
 
   const Measurer& measured;
   const SurfaceModel& model;
-  /// Per room, by group.
+  /// One entry per room: areas by group.
   std::vector<std::map<std::string, double>> groupAreas;
   RoomReport& report;
 };

@@ -10,11 +10,11 @@
 
 namespace atria {
 
-/// With rooms that are neither measured nor named.
+/// Returns a report whose rooms are neither measured nor named.
 RoomReport reportOf(const Rooms& rooms, const SurfaceModel& model);
 
-/// Measures and names the rooms that the elements of a mesh are in, and their openings, of which the report knows the
-/// number of rooms alone. `domain` is around the mesh.
+/// Measures and names the rooms that the elements of a mesh are in, and their openings. The report has only the number
+/// of rooms before. `domain` is around the mesh.
 void measureRooms(const DualMesh& mesh, const SurfaceModel& model, const Box3& domain, const OwnElements& part,
                   RoomReport& report);
 

@@ -12,13 +12,13 @@ namespace atria {
 
 struct Room
 {
-  /// `outside` for the outdoors; that of the storey or group which most of its surfaces are of, as in `Storey1/Wall`;
-  /// else `room_1` and so on. No two are the same.
+  /// `outside` for the outdoors; else the storey or group that has more than half of its surfaces by area, as in
+  /// `Storey1/Wall`; else `room_1` and so on. Names are unique.
   std::string name;
   double volume = 0.0;
-  /// Of all that looks up in it, within 45 degrees, as seen from above.
+  /// Area seen from above of all faces in it that look up within 45 degrees.
   double floorArea = 0.0;
-  /// Into RoomReport::openings.
+  /// Indices into RoomReport::openings.
   std::vector<Index> openings;
 };
 
@@ -26,10 +26,10 @@ struct Room
 struct RoomOpening
 {
   Index surface = noIndex;
-  /// The surface it is an opening of; itself where it was drawn.
+  /// The surface that it is an opening of; the surface itself if it was drawn.
   Index wall = noIndex;
   double area = 0.0;
-  /// The one at the back of the surface first; -1 for none.
+  /// The room at the back of the surface first; -1 for none.
   std::array<std::int32_t, 2> rooms{-1, -1};
 };
 
@@ -39,7 +39,7 @@ struct RoomReport
   std::vector<Room> rooms;
   bool hasOutside = false;
   std::vector<RoomOpening> openings;
-  /// How many surfaces, the last ones, are openings found by rule; some may not be in the mesh.
+  /// Number of surfaces, the last ones, that are openings found by rule; some may not be in the mesh.
   std::size_t found = 0;
 };
 

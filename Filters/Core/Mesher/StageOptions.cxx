@@ -11,8 +11,8 @@ namespace atria {
 
 namespace {
 
-// The members of structures. They are named by structured bindings: with one that is added here is an error of the
-// compiler until it is listed.
+// Lists the members of structures. Structured bindings name them, so that a member that is added to a structure is a
+// compiler error until it is listed here.
 
 auto membersOf(const Box3& of)
 {
@@ -124,7 +124,7 @@ struct Same
   {
     return a.has_value() == b.has_value() && (!a || operator()(*a, *b));
   }
-  /// Also Eigen's vectors.
+  /// Compares ranges, among them Eigen's vectors.
   template <std::ranges::range T> bool operator()(const T& a, const T& b) const
   {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), *this);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Whether stages would be made of the same, bit by bit.
+/// Compares the input of stages bit by bit.
 #pragma once
 
 #include "Mesher/DualMesher.h"

@@ -10,19 +10,19 @@ namespace atria {
 
 namespace {
 
-/// On the model's surfaces, and in the open: a mesh of some hundred thousand elements, at most a million.
+/// Octants on the model's surfaces, and in the open: the mesh has some hundred thousand elements, at most a million.
 constexpr double octantsAtMost = 50000.0;
 constexpr double elementsEach = 20.0;
 
-/// Fewer where a mesh may not have as many elements: it would lose the sizes at edges otherwise, and the model be
-/// repaired for sizes that the mesh does not have.
+/// Returns fewer octants if the mesh may not have as many elements. Else it would lose the sizes at edges, and the
+/// model would be repaired for sizes that the mesh does not have.
 double octantsFor(const SizingOptions& sizing)
 {
   const auto most = static_cast<double>(sizing.maxElements);
   return most > 0.0 ? std::min(octantsAtMost, most / elementsEach) : octantsAtMost;
 }
 
-/// The next of 1, 2 and 5 times a power of ten, as ratios go.
+/// Returns the nearest of 1, 2 and 5 times a power of ten, by ratio.
 double roundNumber(double x)
 {
   const double power = std::pow(10.0, std::floor(std::log10(x)));
@@ -42,7 +42,7 @@ GridOptions completeSizes(const TriangleSurface& surface, const ModelOptions& op
     sizes.sizeMid = sizes.sizeMin != 0.0   ? sizes.sizeMin * standard.sizeMid / standard.sizeMin
                     : sizes.sizeMax != 0.0 ? sizes.sizeMax * standard.sizeMid / standard.sizeMax
                                            : roundNumber(std::sqrt(areaOf(surface) / octants));
-    // A SizeMax that is given between SizeMin and twice that.
+    // A given SizeMax may lie between SizeMin and twice that.
     sizes.sizeMid = sizes.sizeMax != 0.0 ? std::min(sizes.sizeMid, sizes.sizeMax) : sizes.sizeMid;
   }
   if (sizes.sizeMin == 0.0)

@@ -69,7 +69,7 @@ private:
     std::ranges::for_each(mesh.zoneFaces, [&](ZoneFace& face) { face.element -= first; });
   }
 
-  /// Gives own elements their neighbors' numbers, and faces where these are not own ones.
+  /// Gives own elements the new numbers of their neighbors, and boundary faces where neighbors are not own ones.
   void cut()
   {
     for (Index e = first; e < end; ++e)
@@ -95,7 +95,7 @@ private:
     }
   }
 
-  /// Those of own elements, and the vertices these stand for.
+  /// Keeps the points of own elements, and their vertices.
   void keepPoints()
   {
     std::vector<Index>& vertexOf = part.plain.vertexOf;
@@ -154,8 +154,8 @@ private:
   Index end;
   Index cutTag;
   WindowPart part;
-  DualMesh& mesh; ///< of the part
-  /// By boundary face before, its number in the part.
+  DualMesh& mesh; ///< refers to the mesh of `part`
+  /// One entry per boundary face before: its number in the part.
   std::vector<Index> faceNumbers;
 };
 

@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// Of the points of a mesh, by the vertices that they are and the leaves of these.
+/// Returns the shared points of a mesh, from the vertex of each point and the leaf of each vertex.
 std::vector<SharedPoint> sharedPointsOf(const std::vector<Index>& vertexOf, const std::vector<Index>& leaves,
                                         const Octree& octree)
 {
@@ -30,7 +30,7 @@ void markPoints(const DualMesh& mesh, Index element, std::vector<char>& marked)
   std::ranges::for_each(mesh.corners[element], [&](Index p) { marked[p] = 1; });
 }
 
-/// Throws RanksDisagree where the octree ends before them.
+/// Returns the elements of other ranks at marked points. Throws RanksDisagree if the octree ends before them.
 std::vector<Index> othersAtPoints(const PlainShare& own, const std::vector<char>& marked)
 {
   std::vector<Index> elements;
@@ -66,7 +66,7 @@ struct ElementSum
   std::uint64_t sum;
 };
 
-/// Sums up what an element is, without numbers that only this rank has.
+/// Sums up the properties of an element, without numbers that only this rank has.
 class ElementSummer
 {
 public:

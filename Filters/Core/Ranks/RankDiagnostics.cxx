@@ -20,7 +20,7 @@ struct Entry
   std::size_t between;
 };
 
-/// The stage that finds a kind, by its place among the stages.
+/// Returns the stage that finds a kind, by its place among the stages.
 int stageOf(Diagnostic::Kind kind)
 {
   switch (kind)
@@ -42,7 +42,7 @@ int stageOf(Diagnostic::Kind kind)
   }
 }
 
-/// Gathers the lists of all ranks on the first one; nothing on others.
+/// Gathers the lists of all ranks on the first one; returns nothing on others.
 template <typename T> std::vector<T> joinOnFirst(RankExchange& exchange, const std::vector<T>& own)
 {
   std::vector<std::vector<T>> toRanks(static_cast<std::size_t>(exchange.ranks()));
@@ -57,8 +57,8 @@ template <typename T> std::vector<T> joinOnFirst(RankExchange& exchange, const s
 
 Index elementOf(std::uint64_t number) { return number < noIndex ? static_cast<Index>(number) : noIndex; }
 
-/// By point, the element with the lowest number in the mesh of all ranks that has it, if that is an own one: all
-/// elements at a point of an own one are in the piece.
+/// Returns, for each point, the element of the piece that has it and the lowest number in the mesh of all ranks. If
+/// this is an own element, it is the first of all ranks: the piece has all elements at points of own ones.
 std::vector<Index> firstElementsOf(const DualMesh& mesh, const std::vector<std::uint64_t>& numbers)
 {
   std::vector<Index> first(mesh.points.size(), noIndex);
@@ -101,7 +101,7 @@ void RankDiagnostics::addDetached(const std::vector<DetachedVertex>& detached, c
     }
     const auto p = static_cast<std::size_t>(at - piece.pointsBefore.begin());
     const Index e = firstElements[p];
-    // The rank that has the point may have none of its elements.
+    // The owner of the first element reports the point, as the point's owner may own none of its elements.
     if (piece.elementRanks[e] == rank)
     {
       own_.push_back({Diagnostic::detachedVertex,

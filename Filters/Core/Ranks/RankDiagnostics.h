@@ -8,7 +8,8 @@
 
 namespace atria {
 
-/// Diagnostics at the elements that a rank owns. The first rank then has those of all, in the order of one process.
+/// Diagnostics at the elements that a rank owns. gather() brings those of all to the first rank, in the order of one
+/// process.
 class RankDiagnostics
 {
 public:

@@ -14,7 +14,7 @@ namespace atria {
 
 namespace {
 
-/// Selects by face of the piece from values by face of the rank's mesh.
+/// Selects the values of the piece's faces from those of all faces of the rank's mesh.
 template <typename List> void takeByFace(const List& ofMesh, const std::vector<Index>& facesBefore, List& ofPiece)
 {
   for (std::size_t f = 0; f < facesBefore.size() && !ofMesh.empty(); ++f)
@@ -37,7 +37,7 @@ std::function<bool(Index leaf)> RankMesh::ownLeaves(const Octree& octree) const
 
 const GridPart& RankMesh::divide(const Octree& octree, const GridPoints& points, const RunContext& context)
 {
-  // All stages have the same points, also for the model that air reaches.
+  // The points are the same in all stages, also for the model that air reaches.
   return points_ ? *points_ : points_.emplace(share_, octree, points, context);
 }
 

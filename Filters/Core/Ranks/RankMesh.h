@@ -9,12 +9,12 @@
 namespace atria {
 
 /// A rank's part of a mesh while it is made. Functions throw RanksDisagree if ranks found different results where their
-/// shares meet: then they need octrees with more rows.
+/// shares meet. Then they need octrees with more rows.
 class RankMesh : public MeshPort
 {
 public:
   /// `octree` is that of the share, whose leaves know their pieces of the model. The piece gets `ghostLevels` rings of
-  /// elements of others, one at least. The share must outlive this.
+  /// elements of others, at least one. The share must outlive this.
   RankMesh(const RankShare& share, Octree octree, int ghostLevels);
 
   const Octree& octree() const { return octree_; }
@@ -41,7 +41,7 @@ private:
   const RankShare& share_;
   Octree octree_;
   int ghostLevels_;
-  /// The octree that the mesh is made in, this one or that of the model that air reaches.
+  /// The octree that the mesh is made in: `octree_`, or that of the model that air reaches.
   Octree* current_ = &octree_;
   std::optional<SharedPoints> points_;
   std::vector<PointKey> keys_; ///< one per element of the plain mesh, before it is completed

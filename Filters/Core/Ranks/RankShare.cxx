@@ -12,8 +12,8 @@ namespace atria {
 
 namespace {
 
-/// Pieces of the model are looked for half the size of a leaf about it: in leaves that touch it, which may be half as
-/// large, and in those that touch these.
+/// Rows of leaves around a leaf in which pieces of the model are searched. The search reaches half the size of the
+/// leaf: into leaves that touch it, which may be half as large, and into those that touch these.
 constexpr int rowsLookedAt = 2;
 
 LeafMasks both(LeafMasks a, const LeafMasks& b)
@@ -28,7 +28,7 @@ LeafMasks any(LeafMasks a, const LeafMasks& b)
   return a;
 }
 
-/// What blocks cost, in leaves that are not at the model.
+/// Returns the cost of each block, in leaves that are not at the model.
 std::vector<std::size_t> costsOf(const OctreeBlocks& blocks, const RefinedSets& refined, const SurfaceModel& model,
                                  const GridFrame& frame, const RunContext& context)
 {
@@ -85,7 +85,7 @@ Octree RankShare::octreeOf(RefinedSets refined, const SurfaceModel& model, const
   return octree;
 }
 
-/// Of the own leaves and those about them that are to be as in the whole.
+/// Returns the sets of the own leaves and of those around them that are to be as in the whole.
 RefinedSets RankShare::setsNeeded(const SurfaceModel& model, const ShareRows& rows, const RunContext& context) const
 {
   if (blocks_.count() < 2)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What one of several ranks makes of a mesh.
+/// The part of a mesh that one of several ranks makes.
 #pragma once
 
 #include "Octree/Sizing/Refinement.h"
@@ -11,12 +11,13 @@
 
 namespace atria {
 
-/// A grid point by the first leaf that has it as a corner, and which: the same on all ranks, in the order of points.
+/// A grid point by the first leaf that has it as a corner, and that corner. It is the same on all ranks, in the order
+/// of points.
 using PointKey = std::uint64_t;
 
-/// Rows of leaves that a rank's octree has as the whole does: about the rank's own at walls, and about all of its own;
-/// and about all that as many as beside. So elements at its leaves are those of the whole. Found by trying; where they
-/// are too few, ranks tell.
+/// Rows of leaves that a rank's octree has as the whole does: `atWalls` around own leaves at walls and `beside` around
+/// all own leaves, then `beside` more around all of these. So elements at the rank's leaves are those of the whole. The
+/// numbers were found by trial; if they are too few, ranks throw RanksDisagree.
 struct ShareRows
 {
   int atWalls = 4;
@@ -25,15 +26,15 @@ struct ShareRows
   ShareRows times(int factor) const { return {factor * atWalls, factor * beside}; }
 };
 
-/// Each rank has blocks of the octree in a row that cost as much as those of others, and makes its own octree: the
-/// whole's there and so many rows about it, coarser elsewhere.
+/// Each rank has a run of blocks of the octree that cost as much as those of others. It makes its own octree: that of
+/// the whole in these blocks and some rows around them, coarser elsewhere.
 class RankShare
 {
 public:
-  /// What a leaf at the model costs, in those that are not: elements of its layers, and places for its vertices.
+  /// Cost of a leaf at the model, in leaves that are not: elements of its layers, and places for its vertices.
   static constexpr std::size_t wallCost = 8;
 
-  /// Of the balanced sets of a whole octree, which must outlive this; so must `exchange`.
+  /// Divides the octree with the balanced sets `refined`. These must outlive this; so must `frame` and `exchange`.
   RankShare(const RefinedSets& refined, const SurfaceModel& model, const GridFrame& frame, std::size_t blockSize,
             RankExchange& exchange, const RunContext& context);
 
@@ -41,22 +42,22 @@ public:
   int rank() const { return exchange_.rank(); }
   int ranks() const { return exchange_.ranks(); }
   const OctreeBlocks& blocks() const { return blocks_; }
-  /// The first of this rank, and the one after its last.
+  /// First block of this rank, and the one after its last.
   Index firstBlock() const { return firstBlocks_[static_cast<std::size_t>(rank())]; }
   Index endBlock() const { return firstBlocks_[static_cast<std::size_t>(rank()) + 1]; }
-  /// The rank's octree, whose leaves know their pieces of the model.
+  /// Makes the rank's octree, whose leaves know their pieces of the model.
   Octree makeOctree(const SurfaceModel& model, const ShareRows& rows, const RunContext& context) const;
-  /// One in which these leaves of the whole, by their keys in the finest grid, and those about them are as there, so
-  /// far as vertices of these leaves look for pieces of the model.
+  /// Makes an octree in which the given leaves of the whole are as there. So are the leaves around them, as far as
+  /// vertices of the given leaves search pieces of the model. `leaves` are keys in the finest grid.
   Octree makeOctree(const std::vector<MortonKey>& leaves, const SurfaceModel& model, const RunContext& context) const;
 
   int rankOfBlock(Index block) const;
-  /// Of a leaf, by its key in the finest grid.
+  /// Returns the rank of a leaf, by its key in the finest grid.
   int rankOf(MortonKey key) const { return rankOfBlock(blocks_.blockOf(key)); }
   const MortonRange& own() const { return own_; }
   bool isOwn(MortonKey key) const { return key >= own_.begin && key < own_.end; }
 
-  /// Whether a leaf of this rank's octree is one of the whole.
+  /// True if a leaf of this rank's octree is one of the whole.
   bool isExact(const Octree& octree, Index leaf) const;
 
 private:
@@ -71,12 +72,12 @@ private:
   MortonRange own_;
 };
 
-/// Of what is not of the whole.
+/// Key of points and elements that are not part of the whole.
 inline constexpr PointKey noKey = ~PointKey{0};
 
 inline bool isOwn(PointKey key, const RankShare& share) { return key != noKey && share.isOwn(key >> 3); }
 
-/// Where own keys are in a list that has them in a row: the first, and the one after the last.
+/// Returns the range of own keys, which follow each other in a list: the first, and the one after the last.
 template <typename Keys> std::pair<Index, Index> ownRange(const Keys& keys, const RankShare& share)
 {
   const auto isOfShare = [&](PointKey key) { return isOwn(key, share); };
@@ -85,8 +86,8 @@ template <typename Keys> std::pair<Index, Index> ownRange(const Keys& keys, cons
   return {static_cast<Index>(first - keys.begin()), static_cast<Index>(end - keys.begin())};
 }
 
-/// The number of a key in a list that has own ones from `first` up to `end`, rising. Throws RanksDisagree if it is none
-/// of these.
+/// Returns the number of a key in a list whose own keys, from `first` up to `end`, rise. Throws RanksDisagree if it is
+/// none of these.
 template <typename Keys> Index findOwn(const Keys& keys, Index first, Index end, PointKey key)
 {
   const auto last = keys.begin() + end;

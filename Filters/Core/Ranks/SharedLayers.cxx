@@ -10,7 +10,7 @@ namespace atria {
 
 namespace {
 
-/// Rows about own elements in which places are looked at that something has to be left out of.
+/// Rows around own elements in which elements to leave out are considered.
 constexpr int leaveOutRows = 6;
 
 } // namespace
@@ -66,7 +66,7 @@ SharedLeaveOut::SharedLeaveOut(const DualMesh& mesh, const SharedLayers& layers,
     }
   }
   std::ranges::for_each(ElementRows(mesh).grow(std::move(own), leaveOutRows), [&](Index e) { seen_[e] = 1; });
-  // Where the window ends elements would be judged without their neighbors.
+  // Elements where the window ends would be judged without their neighbors.
   for (const BoundaryFace& face : mesh.boundaryFaces)
   {
     seen_[face.element] = face.tag == cutTag ? 0 : seen_[face.element];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What ranks tell each other of a mesh with layers.
+/// Identifies elements and points of a mesh with layers across ranks.
 #pragma once
 
 #include "Layer/LayerTopology.h"
@@ -8,8 +8,8 @@
 
 namespace atria {
 
-/// An element of a mesh with layers: the grid point it stands for, or the grid point, direction and height of the
-/// element, its face, and the place in the stack there.
+/// An element of a mesh with layers. An element of the plain mesh is known by the grid point it stands for. One of a
+/// layer is known by the grid point of the element it stands on, the direction of the face, and its place in the stack.
 struct SharedElement
 {
   PointKey point;
@@ -25,16 +25,16 @@ struct SharedElement
 class SharedLayers
 {
 public:
-  /// All must outlive this; `plain` is the window's mesh.
+  /// All arguments must outlive this; `plain` is the window's mesh.
   SharedLayers(const SharedWindow& window, const DualMesh& plain, const LayerMesh& layer);
 
   SharedElement elementOf(Index element) const;
   bool isOwn(Index element) const { return window_.isOwn(plainElementOf(element)); }
-  /// noIndex where it is not here.
+  /// Returns noIndex if the element is not here.
   Index find(const SharedElement& element) const;
-  /// The element of the plain mesh that it is or stands on.
+  /// Returns the element of the plain mesh that it is or stands on.
   Index plainElementOf(Index element) const;
-  /// Of the plain mesh.
+  /// Returns the number of a point of the plain mesh; noIndex if it is not here.
   Index find(const SharedPoint& point) const { return window_.find(point); }
   const SharedPoint& wallPointOf(Index point) const { return window_.points[layer_.wallPointOf(point)]; }
 
@@ -44,8 +44,8 @@ private:
   const LayerMesh& layer_;
 };
 
-/// See findElementsToLeaveOut. Elements are looked at up to so many rows from own ones, but for those where the window
-/// ends, in faces with the tag `cutTag`.
+/// Agreement of ranks on the elements to leave out; see findElementsToLeaveOut. Considers elements up to some rows from
+/// own ones, except those where the window ends, in faces with the tag `cutTag`.
 class SharedLeaveOut : public LeaveOutExchange
 {
 public:

@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// The part of the run that is over when octants have their sizes.
+/// Share of the run's progress that is over when octants have their sizes.
 constexpr double sizingShare = 0.25;
 
 /// Returns nullopt, on all ranks, if one process has to make the whole mesh.

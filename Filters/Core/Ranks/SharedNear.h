@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Exchanges which elements are near the boundary, across ranks.
 #pragma once
 
 #include "Mesher/Blocks/MeshBlocks.h"
@@ -6,12 +7,13 @@
 
 namespace atria {
 
-/// What ranks tell each other of what is near the boundary of their mesh: a byte for each element beside a share, and
-/// for each vertex of another rank, at a time.
+/// Exchange between ranks of what is near the boundary of their mesh. Each exchange sends a byte for each element
+/// beside a share, and for each vertex of another rank.
 class SharedNear : public NearExchange
 {
 public:
-  /// Both must outlive this. 8 bytes an element beside the share, and as many for a vertex of another rank.
+  /// Both arguments must outlive this. Takes 8 bytes an element beside the share, and as many for a vertex of another
+  /// rank.
   SharedNear(const PlainShare& own, const RankShare& share);
 
   bool isOwn(Index element) const override { return own_.isOwn(element); }
@@ -25,7 +27,7 @@ private:
 
   const PlainShare& own_;
   RankExchange& exchange_;
-  /// By rank what this one has of that one, and what that one has of this, in the same order on both.
+  /// One list per rank: what this rank has of the other, and what the other has of this one, in the same order on both.
   Lists theirElements_;
   Lists ourElements_;
   Lists theirVertices_;

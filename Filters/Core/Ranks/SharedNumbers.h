@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Numbers of the whole for what ranks have parts of.
+/// Finds the numbers of elements and points on other ranks.
 #pragma once
 
 #include "Ranks/RankShare.h"
@@ -11,7 +11,7 @@
 namespace atria {
 
 /// A point of a plain mesh: the finest key of its vertex's leaf, and which of the points it is that the vertex became
-/// where sheets were split, the vertex itself being 0.
+/// where sheets were split. The vertex itself is 0.
 struct SharedPoint
 {
   MortonKey leaf;
@@ -20,8 +20,8 @@ struct SharedPoint
   auto operator<=>(const SharedPoint&) const = default;
 };
 
-/// Asks ranks for what they know of points: `rankOf` gives the rank of each point asked for, and `answer` what a rank
-/// says of one of its own.
+/// Asks ranks about points. `rankOf` returns the rank to ask for each key, and `answer` what a rank says of one of its
+/// own. Returns one answer per key.
 template <typename Key, typename Answer, typename RankOf, typename AnswerTo>
 std::vector<Answer> askRanks(RankExchange& exchange, const std::vector<Key>& keys, RankOf&& rankOf, AnswerTo&& answer)
 {
@@ -55,8 +55,9 @@ std::vector<Answer> askRanks(RankExchange& exchange, const std::vector<Key>& key
   return result;
 }
 
-/// Asks each rank for what this one has of it, by lists of numbers here and a key for each; and finds by `numberOf`
-/// what others ask of this one. What ranks have of each other then is in the same order on both.
+/// Returns, for each rank, the numbers of what it has of this one. `theirs` has the numbers of what this rank has of
+/// each other, `keyOf` turns them into keys, and `numberOf` finds the number of a key that others ask for. The lists
+/// then have the same order on both ranks.
 template <typename Key, typename KeyOf, typename NumberOf>
 std::vector<std::vector<Index>> askedOf(const std::vector<std::vector<Index>>& theirs, RankExchange& exchange,
                                         KeyOf&& keyOf, NumberOf&& numberOf)

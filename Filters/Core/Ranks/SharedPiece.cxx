@@ -10,7 +10,7 @@ namespace atria {
 
 namespace {
 
-/// A point: that of the wall it stands above, or is, and its place in the chain from there, 0 for the wall's.
+/// A point: the wall point that it is or stands above, and its place in the chain from there, 0 for the wall point.
 struct ChainPoint
 {
   SharedPoint wall;
@@ -19,8 +19,8 @@ struct ChainPoint
   auto operator<=>(const ChainPoint&) const = default;
 };
 
-/// Gives what is this rank's own numbers in the mesh of all, where groups come one after the other. `groupOf` gives the
-/// group of each, or a number beyond the last one. Returns how many there are on all ranks.
+/// Gives what this rank owns numbers in the mesh of all ranks, where groups follow each other. `groupOf` returns the
+/// group of each; others than own ones have a number beyond the last group. Returns the count on all ranks.
 template <typename GroupOf>
 std::uint64_t numberOwn(std::vector<std::uint64_t>& numbers, std::size_t groups, RankExchange& exchange,
                         GroupOf&& groupOf)
@@ -44,7 +44,7 @@ std::uint64_t numberOwn(std::vector<std::uint64_t>& numbers, std::size_t groups,
   return before;
 }
 
-/// The numbers of all, from those of own ones: others are asked for. `find` gives the number here for a key.
+/// Sets the numbers of all from those of own ones; asks owners for the others. `find` returns the number here of a key.
 template <typename Key, typename KeyOf, typename RankOf, typename Find>
 void askForOthers(std::vector<std::uint64_t>& numbers, const std::vector<std::uint64_t>& own,
                   const std::vector<Index>& before, const std::vector<int>& ranks, RankExchange& exchange,
@@ -76,7 +76,7 @@ void askForOthers(std::vector<std::uint64_t>& numbers, const std::vector<std::ui
   }
 }
 
-/// Of numbers in a mesh from which something was left out, those before.
+/// Returns the numbers before something was left out, one per number now.
 std::vector<Index> numbersBefore(const std::vector<Index>& numbers, std::size_t count)
 {
   std::vector<Index> before(count);
@@ -266,7 +266,7 @@ private:
                              [&](const ChainPoint& key) { return find(key); });
   }
 
-  /// A point's number here.
+  /// Returns a point's number here; noIndex if there is none.
   Index find(const ChainPoint& point) const
   {
     Index found = layers.find(point.wall);
@@ -284,7 +284,7 @@ private:
   const SharedLayers& layers;
   const LayerMesh& layer;
   const RankShare& share;
-  std::vector<Index> elements; ///< by number in the mesh that before anything was left out
+  std::vector<Index> elements; ///< numbers before any were left out, one per element
   std::vector<Index> points;
   std::vector<Index> newElements;
   SharedPiece out;

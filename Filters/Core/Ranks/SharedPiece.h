@@ -6,39 +6,42 @@
 
 namespace atria {
 
-/// What stays of a rank's mesh with layers once it is done: its own elements and those about them.
+/// The part of a rank's mesh with layers that stays once it is done: own elements and those around them.
 struct SharedPiece
 {
-  /// Boundary faces, and those of zones, are those of own elements. Without neighbors but those across faces of zones.
+  /// Boundary faces, and faces of zones, are those of own elements. There are no neighbors except across faces of
+  /// zones.
   DualMesh mesh;
-  /// Where they were before.
+  /// Numbers of elements, points and boundary faces in the rank's mesh before.
   std::vector<Index> elementsBefore;
   std::vector<Index> pointsBefore;
   std::vector<Index> facesBefore;
-  /// By boundary face, whether there is an element on the other side of the sheet; it may be none of the piece.
+  /// One flag per boundary face: nonzero if there is an element on the other side of the sheet, which may not be in the
+  /// piece.
   std::vector<char> hasOpposite;
-  /// The ranks whose they are, and their numbers in the mesh of all ranks.
+  /// Owners of elements and points, and their numbers in the mesh of all ranks.
   std::vector<int> elementRanks;
   std::vector<int> pointRanks;
   std::vector<std::uint64_t> elementNumbers;
   std::vector<std::uint64_t> pointNumbers;
   std::uint64_t elementCount = 0;
   std::uint64_t pointCount = 0;
-  /// Of the elements asked for, on whichever rank they are; noNumber for those that are not in the mesh any more.
+  /// Numbers of the elements asked for, on whichever rank they are; noNumber for those that were left out.
   std::vector<std::uint64_t> askedNumbers;
 };
 
 inline constexpr std::uint64_t noNumber = ~std::uint64_t{0};
 
-/// Which elements and points there are no more, by their numbers before: noIndex; empty where all are there.
+/// Numbers of elements and points by their numbers before some were left out: noIndex for those. Empty if all stayed.
 struct KeptNumbers
 {
   const std::vector<Index>& elements;
   const std::vector<Index>& points;
 };
 
-/// `mesh` is that of the layer without elements that were left out; `ghostLevels` rings of elements that share points
-/// with those before stay about own ones, one at least. `asked` are elements as they were before any was left out.
+/// Takes a rank's piece. `mesh` has layers, and lacks elements that were left out. The piece has `ghostLevels` rings of
+/// elements around own ones, at least one; each shares points with the one before. `asked` are elements as they were
+/// before any were left out.
 SharedPiece takePiece(const DualMesh& mesh, const KeptNumbers& kept, const SharedLayers& layers, const LayerMesh& layer,
                       const RankShare& share, int ghostLevels, const std::vector<SharedElement>& asked);
 

@@ -130,7 +130,7 @@ JoinedSets SharedPoints::join(const PointSets& own,
   std::vector<Index> numbers(firsts.back());
   for (Index set = 0; set < numbers.size(); ++set)
   {
-    const Index root = sets.find(set); // the first, as ranks have their points in a row
+    const Index root = sets.find(set); // the first set, as ranks follow each other in the order of points
     numbers[set] = root == set ? joined.count++ : numbers[root];
   }
   for (std::size_t rank = 0; rank + 1 < firsts.size(); ++rank)

@@ -7,16 +7,15 @@
 
 namespace atria {
 
-/// A point is known as one of the whole if all of its leaves are leaves of the whole octree; then its owner is the rank
-/// that owns its first leaf. Functions throw RanksDisagree if ranks do not know the same points where their shares
-/// meet.
+/// A point is known as one of the whole if all of its leaves are leaves of the whole octree. Its owner is the rank that
+/// owns its first leaf. Functions throw RanksDisagree if ranks do not know the same points where their shares meet.
 class SharedPoints : public GridPart
 {
 public:
-  /// 8 bytes a point. Throws RanksDisagree if the octree ends within the rank's share.
+  /// Takes 8 bytes a point. Throws RanksDisagree if the octree ends within the rank's share.
   SharedPoints(const RankShare& share, const Octree& octree, const GridPoints& points, const RunContext& context);
 
-  /// Key of a known point; noKey for others.
+  /// Returns the key of a known point; noKey for others.
   PointKey key(Index point) const { return keys_[point]; }
 
   JoinedSets join(const PointSets& own, const std::function<Index(Index point, int direction)>& nextTo) const override;

@@ -14,7 +14,7 @@ namespace atria {
 
 namespace {
 
-/// By other rank, the own elements that are in its window, counted from the first own one.
+/// Returns, for each rank, the own elements that are in its window, counted from the first own one.
 std::vector<std::vector<Index>> elementsFor(const PlainShare& own, const NearBoundary& near, const RankShare& share)
 {
   std::vector<std::vector<PointKey>> wanted(static_cast<std::size_t>(share.ranks()));

@@ -19,7 +19,7 @@ template <typename To, typename List> To chosenOf(const List& list, const std::v
   return out;
 }
 
-/// Those of the elements, also where a neighbor is not among them.
+/// Returns the faces of zones at these elements, also where the neighbor is not among them.
 std::vector<ZoneFace> zoneFacesOf(const DualMesh& mesh, const std::vector<Index>& elements)
 {
   std::vector<ZoneFace> faces;
@@ -37,7 +37,7 @@ std::vector<ZoneFace> zoneFacesOf(const DualMesh& mesh, const std::vector<Index>
 
 using LimitOf = std::pair<Index, DisplacementLimit>;
 
-/// Calls an archive with all of a part but its displacement limits.
+/// Calls an archive with all of a part except its displacement limits.
 template <typename Archive, typename Part> void visit(Archive& archive, Part& part)
 {
   auto& mesh = part.plain.mesh;
@@ -83,7 +83,7 @@ WindowPart partFrom(const Bytes& bytes)
   return part;
 }
 
-/// Joins one list after the other, of which each part's is freed then: all together would be there twice.
+/// Joins one list after the other, and frees that list of each part at once. Else all lists would be in memory twice.
 class WindowJoiner
 {
 public:
@@ -106,7 +106,7 @@ private:
     Index vertex = noIndex;
   };
 
-  /// Vertices, and then others. Parts have the same of a point that several have.
+  /// Takes vertices, and then the other points. Parts agree on the points that several of them have.
   void takePoints()
   {
     std::vector<SharedPoint> vertices;
@@ -187,7 +187,7 @@ private:
     }
   }
 
-  /// `listOf` gives the list of a part, and of the window; `convert` makes an entry of part i one of the window.
+  /// `listOf` returns the list of a part, or of the window; `convert` turns an entry of part i into one of the window.
   template <typename ListOf, typename Convert> void joinLists(ListOf&& listOf, Convert&& convert)
   {
     auto& to = listOf(out_);
@@ -280,7 +280,7 @@ private:
                                                             : noIndex;
   }
 
-  /// Of those where the window ends.
+  /// Removes faces of zones where the window ends.
   void dropLooseZoneFaces()
   {
     DualMesh& mesh = out_.plain.mesh;
@@ -289,14 +289,14 @@ private:
   }
 
   std::vector<WindowPart> parts_;
-  /// By part: the numbers of its points in the window, and that of its first element.
+  /// One entry per part: the numbers of its points in the window, and the number of its first element.
   std::vector<std::vector<Index>> numbers_;
   std::vector<Index> firsts_{0};
   Index cutTag_;
   SharedWindow out_;
 };
 
-/// Of some elements of another part, in order.
+/// Returns the part with these elements of `whole`, which are sorted.
 WindowPart partOf(const WindowPart& whole, const std::vector<Index>& elements, Index cutTag)
 {
   const DualMesh& mesh = whole.plain.mesh;
@@ -325,7 +325,7 @@ WindowPart partOf(const WindowPart& whole, const std::vector<Index>& elements, I
   return part;
 }
 
-/// The same of a part that is cut itself. Where it ends then is of one tag.
+/// Does the same for a part that is cut itself. All faces where the new part ends have one tag.
 WindowPart partOfCut(const WindowPart& cut, const std::vector<Index>& elements, Index cutTag)
 {
   WindowPart part = partOf(cut, elements, cutTag + 1);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Sends elements to the ranks that have them in their windows, and joins those received.
 #pragma once
 
 #include "Ranks/SharedWindow.h"
@@ -8,21 +9,21 @@ namespace atria {
 /// Elements that one rank has in the window of another, or in its own.
 struct WindowPart
 {
-  /// Ends in faces with a tag of their own where elements are not in it.
+  /// Ends in faces with a tag of their own where neighbors are missing.
   ClassifiedMesh plain;
   std::vector<PointKey> elementKeys;
   std::vector<SharedPoint> points;
   NearBoundary near;
-  /// By boundary face, the element where the part ends, or on the other side of the sheet; noKey where there is none.
+  /// One entry per boundary face: the element beyond the part's end, or on the other side of the sheet; noKey if none.
   std::vector<PointKey> beyond;
 };
 
-/// Sends each other rank those of the own elements that are for it, in order, and returns what came from each; with
-/// `own` from this one.
+/// Sends each other rank the own elements that it needs, in order. Returns the part received from each; from this one,
+/// `own`.
 std::vector<WindowPart> exchangeParts(WindowPart own, const std::vector<std::vector<Index>>& elements, Index cutTag,
                                       RankExchange& exchange);
 
-/// Of parts from all ranks, with elements in the order of the whole. Its leaves have no numbers yet.
+/// Joins parts from all ranks to a window, with elements in the order of the whole. Its leaves have no numbers yet.
 SharedWindow joinParts(std::vector<WindowPart> parts, Index cutTag);
 
 } // namespace atria

@@ -39,7 +39,8 @@ std::vector<PointKey> WindowSearch::run()
   }
 }
 
-/// What is beside own elements, and all of what grows on that.
+/// Returns the keys of elements beside own ones, and of those beside these near the boundary, for layers that grow
+/// there.
 std::vector<PointKey> WindowSearch::keysAbout() const
 {
   std::vector<Index> near = own_.beside;
@@ -52,7 +53,7 @@ std::vector<PointKey> WindowSearch::keysAbout() const
   return keys;
 }
 
-/// With what is beside elements found.
+/// Returns the keys of other ranks' elements in `grown` and in a row around it, and `about`.
 std::vector<PointKey> WindowSearch::wantedOf(const std::vector<Index>& grown, const std::vector<PointKey>& about) const
 {
   std::vector<PointKey> keys;
@@ -82,7 +83,7 @@ WindowSearch::Connections WindowSearch::connectionsOf(Index own) const
   return out;
 }
 
-/// What of their neighbors is of other ranks is linked when it is fetched.
+/// Adds own elements. Their neighbors of other ranks are linked when these are fetched.
 void WindowSearch::addOwn()
 {
   keys_.assign(own_.keys.begin() + own_.firstOwn, own_.keys.begin() + own_.endOwn);
@@ -130,7 +131,7 @@ void WindowSearch::link(Index element, std::size_t direction, Index other)
   }
 }
 
-/// noIndex for what was not fetched.
+/// Returns noIndex for elements that were not fetched.
 Index WindowSearch::numberOf(PointKey key) const
 {
   if (share_.isOwn(key >> 3))
@@ -180,7 +181,7 @@ void WindowSearch::linkBack(Index element, PointKey key, Index other)
   }
 }
 
-/// What is across faces of elements and was not fetched.
+/// Returns the keys of elements across faces of `elements` that were not fetched.
 std::vector<PointKey> WindowSearch::missingBeside(const std::vector<Index>& elements) const
 {
   std::vector<PointKey> missing;

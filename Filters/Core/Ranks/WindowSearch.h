@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds the elements of other ranks that a rank needs around its own.
 #pragma once
 
 #include "Mesher/Blocks/MeshBlocks.h"
@@ -8,20 +9,20 @@
 
 namespace atria {
 
-/// Finds the elements of other ranks that a rank needs to improve its own and as ghosts: those beside them, and all
-/// among which points of these are improved (WindowRows), with a row about all that. So no window of a block ends where
-/// this one does, and what is left out near own elements is judged among all that is there. Asks ranks for how theirs
-/// are connected, row by row, 64 bytes an element.
+/// Finds the elements of other ranks that a rank needs to improve its own and as ghosts: those beside own elements, all
+/// among which points of these are improved (WindowRows), and a row around all that. So no window of a block ends where
+/// this one does, and elements to leave out near own ones are judged among all their neighbors. Asks ranks for the
+/// connections of their elements, row by row; 64 bytes an element.
 class WindowSearch
 {
 public:
-  /// Of rows that are those of the whole mesh. All must outlive this.
+  /// `near` has the rows of the whole mesh. All arguments must outlive this.
   WindowSearch(const PlainShare& own, const NearBoundary& near, const RankShare& share);
-  /// In rising order.
+  /// Returns the keys in rising order.
   std::vector<PointKey> run();
 
 private:
-  /// An element of another rank: by face what is across, or on the other side of the sheet.
+  /// An element of another rank: one entry per face, for the element across it or on the other side of the sheet.
   struct Connections
   {
     std::array<PointKey, 6> beyond;
@@ -43,12 +44,12 @@ private:
   const PlainShare& own_;
   const NearBoundary& ofOwn_;
   const RankShare& share_;
-  /// Own elements, and then those fetched; of a mesh there is only what WindowRows asks for.
+  /// Own elements, and then those fetched. This mesh has only what WindowRows needs.
   DualMesh graph_;
   NearBoundary near_;
   std::vector<PointKey> keys_;
   std::vector<Connections> fetched_;
-  std::unordered_map<PointKey, Index> numbers_; ///< of elements fetched
+  std::unordered_map<PointKey, Index> numbers_; ///< fetched elements by key
 };
 
 } // namespace atria

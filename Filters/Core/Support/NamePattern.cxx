@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/NamePattern.h"
 
+#include "Support/Error.h"
 #include "Support/Text.h"
 
 #include <algorithm>
@@ -73,6 +74,26 @@ bool matchesPattern(std::string_view pattern, std::string_view name)
   return std::all_of(pattern.begin() + static_cast<std::ptrdiff_t>(p), pattern.end(), [](char c) { return c == '*'; });
 }
 
+std::vector<char> matchingNames(std::string_view pattern, const std::vector<std::string>& names)
+{
+  std::vector<char> matching(names.size());
+  std::ranges::transform(names, matching.begin(),
+                         [&](const std::string& name) { return matchesPattern(pattern, name) ? 1 : 0; });
+  return matching;
+}
+
+std::vector<char> matchingSurfaces(std::string_view pattern, const std::vector<std::string>& names,
+                                   std::string_view purpose)
+{
+  std::vector<char> matching = matchingNames(pattern, names);
+  if (pattern != "*" && std::ranges::find(matching, 1) == matching.end())
+  {
+    throw Error("no surface matches '" + std::string(pattern) + "', " + std::string(purpose) + "; " +
+                namesInstead(pattern, names));
+  }
+  return matching;
+}
+
 std::string nearestName(std::string_view wanted, const std::vector<std::string>& names)
 {
   const std::string asked = plain(wanted);
@@ -81,7 +102,7 @@ std::string nearestName(std::string_view wanted, const std::vector<std::string>&
   for (const std::string& name : names)
   {
     const std::string other = plain(name);
-    const bool isPart = asked.size() > 1 && other.find(asked) != std::string::npos;
+    const bool isPart = asked.size() > 1 && other != asked && other.find(asked) != std::string::npos;
     const std::size_t slips = isPart ? 1 : slipsBetween(asked, other);
     if (slips < fewest || (best.empty() && slips == fewest && slips < asked.size()))
     {

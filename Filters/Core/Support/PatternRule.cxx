@@ -14,12 +14,13 @@ PatternRule patternRuleFrom(const std::string& text, std::size_t least, std::siz
   std::istringstream in(text);
   PatternRule rule;
   in >> std::quoted(rule.pattern);
-  double number = 0.0;
-  while (in >> number)
+  bool areNumbers = true;
+  for (std::string word; in >> word;)
   {
-    rule.numbers.push_back(number);
+    std::istringstream number(word);
+    areNumbers = areNumbers && number >> rule.numbers.emplace_back() && number.eof();
   }
-  if (rule.pattern.empty() || !in.eof() || rule.numbers.size() < least || rule.numbers.size() > most)
+  if (rule.pattern.empty() || !areNumbers || rule.numbers.size() < least || rule.numbers.size() > most)
   {
     throw Error("the " + std::string(kind) + " rule '" + text + "' is not of the form " + form);
   }

@@ -1,9 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/Utf8.h"
 
+#include <array>
+
 namespace atria {
 
 namespace {
+
+/// Returns the range of the second byte after a first one: not all make characters (RFC 3629, section 4).
+std::array<unsigned char, 2> secondBytes(unsigned char first)
+{
+  switch (first)
+  {
+    case 0xe0:
+      return {0xa0, 0xbf}; // shorter forms exist
+    case 0xed:
+      return {0x80, 0x9f}; // no surrogates
+    case 0xf0:
+      return {0x90, 0xbf};
+    case 0xf4:
+      return {0x80, 0x8f}; // up to U+10FFFF
+    default:
+      return {0x80, 0xbf};
+  }
+}
 
 /// Returns the length of the UTF-8 character at `i` in bytes; 0 if there is none.
 std::size_t utf8Length(std::string_view text, std::size_t i)
@@ -16,6 +36,11 @@ std::size_t utf8Length(std::string_view text, std::size_t i)
                              : first >= 0xf0 && first < 0xf5 ? 4
                                                              : 0;
   if (length == 0 || i + length > text.size())
+  {
+    return 0;
+  }
+  const auto [low, high] = secondBytes(first);
+  if (length > 1 && (byte(i + 1) < low || byte(i + 1) > high))
   {
     return 0;
   }

@@ -117,14 +117,13 @@ std::string ElementBudget::textFor(double elements) const
        << (most == mostNumbers ? "2.1 billion are the most there can be"
                                : "there are " + inGigabytes(static_cast<double>(options_.memoryLimit)))
        << ". " << adviceFor()
-       << " MaxElements (--max-elements) takes coarser sizes, first away from the model, MemoryLimit (--memory-limit) "
-          "says that there is "
-          "more memory. The domain measures "
+       << " MaxElements takes coarser sizes, first away from the model, MemoryLimit says that there "
+          "is more memory. The domain measures "
        << domain[0] << " by " << domain[1] << " by " << domain[2] << " m";
   if (!box.empty())
   {
     text << ", the model " << box.size()[0] << " by " << box.size()[1] << " by " << box.size()[2]
-         << " m: if that is not what it should, state its unit (LengthUnit, --unit)";
+         << " m: if that is not what it should, state its unit (LengthUnit)";
   }
   return text.str();
 }

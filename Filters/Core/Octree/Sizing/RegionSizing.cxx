@@ -247,7 +247,7 @@ void sizeForDistances(OctantSink& sets, const SurfaceModel& model, const SizingO
       throw Error("the distance " + std::to_string(rule.distance) + " from surfaces '" + rule.pattern +
                   "' must not be negative");
     }
-    const std::vector<char> matching = matchingNames(rule.pattern, model.names);
+    const std::vector<char> matching = sizedSurfaces(rule.pattern, model.names);
     const double distance = rule.distance / sets.frame().latticeUnit();
     const int level = levelNotAbove(rule.size, sets.frame());
     for (Index t = 0; t < model.triangles.size(); ++t)

@@ -55,16 +55,9 @@ std::vector<int> cornerLevels(const SurfaceModel& model, const std::vector<int>&
 
 } // namespace
 
-std::vector<char> matchingNames(const std::string& pattern, const std::vector<std::string>& names)
+std::vector<char> sizedSurfaces(const std::string& pattern, const std::vector<std::string>& names)
 {
-  std::vector<char> matching(names.size());
-  std::transform(names.begin(), names.end(), matching.begin(),
-                 [&](const std::string& name) { return matchesPattern(pattern, name); });
-  if (std::find(matching.begin(), matching.end(), 1) == matching.end())
-  {
-    throw Error("no surface matches '" + pattern + "', for which a size is asked; " + namesInstead(pattern, names));
-  }
-  return matching;
+  return matchingSurfaces(pattern, names, "for which a size is asked");
 }
 
 SurfaceSize surfaceSizeFrom(const std::string& text)
@@ -161,7 +154,7 @@ ModelLevels modelLevels(const SurfaceModel& model, const GridFrame& frame, const
   levels.featureOfSurface.assign(model.names.size(), unset);
   for (const SurfaceSize& rule : options.surfaceSizes)
   {
-    const std::vector<char> matching = matchingNames(rule.pattern, model.names);
+    const std::vector<char> matching = sizedSurfaces(rule.pattern, model.names);
     for (std::size_t s = 0; s < matching.size(); ++s)
     {
       if (matching[s])
@@ -192,7 +185,7 @@ std::vector<char> surfacesOfRules(const std::vector<std::string>& names, const S
 {
   std::vector<char> named(names.size(), 0);
   const auto add = [&](const std::string& pattern) {
-    const std::vector<char> matching = matchingNames(pattern, names);
+    const std::vector<char> matching = sizedSurfaces(pattern, names);
     std::ranges::transform(named, matching, named.begin(), std::bit_or<>());
   };
   std::ranges::for_each(options.surfaceSizes, add, &SurfaceSize::pattern);
@@ -212,7 +205,7 @@ std::vector<FinerPlace> finerPlaces(const TriangleSurface& surface, const GridFr
     }
   };
   const auto boundsOf = [&](const std::string& pattern, double margin) {
-    const std::vector<char> matching = matchingNames(pattern, surface.names);
+    const std::vector<char> matching = sizedSurfaces(pattern, surface.names);
     Box3 box;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     {

@@ -8,8 +8,8 @@
 
 namespace atria {
 
-/// Marks the names that match the pattern. Throws Error if none does.
-std::vector<char> matchingNames(const std::string& pattern, const std::vector<std::string>& names);
+/// Marks the surfaces for which a rule with this pattern asks a size. Throws Error if there are none.
+std::vector<char> sizedSurfaces(const std::string& pattern, const std::vector<std::string>& names);
 
 /// Rules as text, the pattern in double quotes where it holds blanks. Throw Error that quotes the text.
 SurfaceSize surfaceSizeFrom(const std::string& text);                 ///< PATTERN SIZE [FEATURESIZE]

@@ -50,8 +50,8 @@ bool hasGoodLengths(const Vec3& lengths, const std::array<int, 3>& across, const
   const double root = clearly * targets.determinantRoot.target;
   const double square = volume * volume;
   const double mean = areas / std::max(faces, 1.0);
-  return across[0] * across[1] * across[2] * square * square >=
-         8.0 * root * root * root * root * mean * mean * mean * mean * mean * mean;
+  return (faces > 0 || root == 0.0) && across[0] * across[1] * across[2] * square * square >=
+                                           8.0 * root * root * root * root * mean * mean * mean * mean * mean * mean;
 }
 
 /// True if a box and its neighbor on an axis reach the targets of the weight and of the volume ratio.

@@ -64,9 +64,9 @@ class UnionJudge
 {
 public:
   UnionJudge(const std::function<FaceMesh()>& meshSource, std::span<const Index> patchOfFace,
-             const UnionOptions& unionOptions, const RunContext& within, const PieceOnRanks* part)
-      : makeMesh(meshSource), patchOf(patchOfFace), options(unionOptions), context(within), ranks(part),
-        atEnd(ranks.cellsAtEnd()), keptCells(unionOptions.keptCells.begin(), unionOptions.keptCells.end())
+             const UnionOptions& unionOptions, const RunContext& within, UnionPort& parts)
+      : makeMesh(meshSource), patchOf(patchOfFace), options(unionOptions), context(within), port(parts),
+        atEnd(port.cellsAtEnd()), keptCells(unionOptions.keptCells.begin(), unionOptions.keptCells.end())
   {
   }
 
@@ -78,10 +78,10 @@ public:
       const RunContext round = context.part(1.0 - left, 1.0 - 0.5 * left);
       JudgedMesh now = unite(std::move(start), round);
       const std::vector<FailingCell> failing = judge(now, round.part(0.5, 0.8));
-      if (!ranks.isAnywhere(!now.cellOf.empty() || !now.faceOf.empty()) || now.verdict.ok() ||
+      if (!port.isAnywhere(!now.cellOf.empty() || !now.faceOf.empty()) || now.verdict.ok() ||
           !keepSound(failing, now, round.part(0.8, 1.0)))
       {
-        ranks.expectSame(now);
+        port.expectSame(now);
         now.failures = failureTexts(now.verdict);
         return now;
       }
@@ -99,7 +99,7 @@ private:
     {
       const std::vector<Index> kept = withEnd(keptCells);
       MergedCells cells =
-          mergeUnderdeterminedCells(now.mesh, patchOf, round.part(0.0, 0.3), {kept, options.zoneOf, ranks.before()});
+          mergeUnderdeterminedCells(now.mesh, patchOf, round.part(0.0, 0.3), {kept, options.zoneOf, port.before()});
       now.cellOf = std::move(cells.cellOf);
       now.added = std::move(cells.added);
       now.faceOf = std::move(cells.faceOf);
@@ -123,7 +123,7 @@ private:
   std::vector<FailingCell> judge(JudgedMesh& now, const RunContext& within)
   {
     const MeasuredMesh measured = measureMesh(now.mesh, within.part(0.0, 0.3));
-    now.verdict = checkMesh(measured, within.part(0.3, 1.0), ranks.after(now));
+    now.verdict = checkMesh(measured, within.part(0.3, 1.0), port.after(now));
     return withCellsBeside(failingCells(measured, now.verdict), measured);
   }
 
@@ -177,7 +177,7 @@ private:
   }
 
   /// Keeps valid cells unmerged in the next round if their union, or a cell beside it, fails. Returns true if there are
-  /// any new ones on any rank.
+  /// any new ones in any part.
   bool keepSound(const std::vector<FailingCell>& failing, const JudgedMesh& now, const RunContext& within)
   {
     judgeSource(within);
@@ -207,7 +207,7 @@ private:
     {
       source = makeMesh();
       const MeasuredMesh measured = measureMesh(source, within.part(0.0, 0.3));
-      failedBefore = failingCells(measured, checkMesh(measured, within.part(0.3, 1.0), ranks.before()));
+      failedBefore = failingCells(measured, checkMesh(measured, within.part(0.3, 1.0), port.before()));
       isSourceJudged = true;
     }
   }
@@ -265,7 +265,7 @@ private:
   }
 
   /// Marks cells to keep in the next round. A merged or cut cell is only undone itself at first; its faces may still
-  /// merge. Returns true if anything is undone on any rank.
+  /// merge. Returns true if anything is undone in any part.
   bool keep(const std::vector<Index>& undone, const std::vector<std::uint8_t>& parts, const JudgedMesh& now)
   {
     std::vector<bool> isUndone(now.mesh.cellCount, false);
@@ -289,16 +289,16 @@ private:
         ((parts[at] & ofCells) != 0 ? keptCells : keptFaces).push_back(cell);
       }
     }
-    ranks.share(keptCells);
-    ranks.share(keptFaces);
-    return ranks.isAnywhere(keptCells.size() + keptFaces.size() > keptBefore);
+    port.share(keptCells);
+    port.share(keptFaces);
+    return port.isAnywhere(keptCells.size() + keptFaces.size() > keptBefore);
   }
 
   const std::function<FaceMesh()>& makeMesh;
   std::span<const Index> patchOf;
   const UnionOptions& options;
   const RunContext& context;
-  UnionRanks ranks;
+  UnionPort& port;
   std::vector<Index> atEnd; ///< cells that no union has
   bool isSourceJudged = false;
   FaceMesh source;                ///< the mesh without unions, once it is needed
@@ -309,10 +309,19 @@ private:
 
 } // namespace
 
+void UnionPort::share(std::vector<Index>& cells) const { sortUnique(cells); }
+
 JudgedMesh uniteAndJudge(const std::function<FaceMesh()>& makeMesh, std::span<const Index> patchOf,
-                         const UnionOptions& options, const RunContext& context, const PieceOnRanks* part)
+                         const UnionOptions& options, const RunContext& context, UnionPort& port)
 {
-  return UnionJudge(makeMesh, patchOf, options, context, part).run();
+  return UnionJudge(makeMesh, patchOf, options, context, port).run();
+}
+
+JudgedMesh uniteAndJudge(const std::function<FaceMesh()>& makeMesh, std::span<const Index> patchOf,
+                         const UnionOptions& options, const RunContext& context)
+{
+  UnionPort whole;
+  return uniteAndJudge(makeMesh, patchOf, options, context, whole);
 }
 
 } // namespace atria

@@ -4,7 +4,6 @@
 
 #include "Quality/Checks/MeshChecks.h"
 #include "Quality/Faces/FaceMesh.h"
-#include "Quality/Unions/UnionRanks.h"
 #include "Support/RunContext.h"
 
 #include <cstddef>
@@ -43,16 +42,40 @@ struct JudgedMesh
   std::size_t pyramid(std::size_t i) const { return mesh.cellCount - added.size() + i; }
 };
 
+/// What a part of a mesh asks of the other parts. This class answers for a whole mesh, which has no other parts.
+class UnionPort
+{
+public:
+  virtual ~UnionPort() = default;
+  /// Returns cells some of whose neighbors are missing.
+  virtual std::vector<Index> cellsAtEnd() const { return {}; }
+  /// Returns true if `here` is true in any part.
+  virtual bool isAnywhere(bool here) const { return here; }
+  /// Keeps the own cells of a list of cells before unions, and adds the cells that other parts found and that are in
+  /// this one too. Sorts the list, and takes out what is there twice.
+  virtual void share(std::vector<Index>& cells) const;
+  /// Returns the part before unions; null for a whole mesh.
+  virtual const CheckedPart* before() const { return nullptr; }
+  /// Returns the part after unions, valid until the next call; null for a whole mesh.
+  virtual const CheckedPart* after(const JudgedMesh&) { return nullptr; }
+  /// Throws RanksDisagree if parts made different unions of the same cells, or gave them different faces.
+  virtual void expectSame(const JudgedMesh&) const {}
+};
+
 /// Merges cells and faces of a mesh and judges the result. Undoes unions of valid cells around cells that fail a check
 /// but were valid before. Valid cells fail no check that is an error. Unions of cells that failed before stay: they
 /// mostly trade a cell with too few neighbors for a concave one, which solvers tolerate better. `makeMesh` returns the
-/// mesh; it is called again if a union may have to be undone, for a part on all ranks. `patchOf` is as for
+/// mesh; it is called again if a union may have to be undone, for a part in all parts. `patchOf` is as for
 /// mergeCoplanarFaces(). The result does not depend on the number of threads. Throws Aborted when asked to.
 ///
-/// With `part`, the mesh is that of the rank's piece. The result equals that of the whole mesh for own cells and for
-/// cells that share faces with them; so do verdict and failures. Counts are those of the part. All ranks call it at the
-/// same time. Throws RanksDisagree if unions reach farther than the pieces.
+/// For a part, the result equals that of the whole mesh for own cells and for cells that share faces with them; so do
+/// verdict and failures. Counts are those of the part. All parts call it at the same time. Throws RanksDisagree if
+/// unions reach farther than the part.
 JudgedMesh uniteAndJudge(const std::function<FaceMesh()>& makeMesh, std::span<const Index> patchOf,
-                         const UnionOptions& options, const RunContext& context, const PieceOnRanks* part = nullptr);
+                         const UnionOptions& options, const RunContext& context, UnionPort& port);
+
+/// The same for a whole mesh.
+JudgedMesh uniteAndJudge(const std::function<FaceMesh()>& makeMesh, std::span<const Index> patchOf,
+                         const UnionOptions& options, const RunContext& context);
 
 } // namespace atria

@@ -116,7 +116,8 @@ std::vector<char> findClusters(const TriangleSoup& soup, std::int64_t margin, st
     {
       context.progress.check();
       step *= 2;
-      counts = countTouching(boxes, isOut.size(), step, 2 * limit, context);
+      // One box touches no more than there are.
+      counts = countTouching(boxes, isOut.size(), step, step < boxes.size() ? 2 * limit : boxes.size(), context);
     }
     if (step == 1)
     {

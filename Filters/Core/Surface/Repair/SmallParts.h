@@ -22,9 +22,9 @@ struct SmallPartOptions
 
 /// Marks the triangles of parts, connected by common points, that are smaller than `size` octants at their place.
 ///
-/// Small parts closer together than a quarter of an octant count as one, so that the leaves of a tree or the letters of
-/// a text stay, which together are large. Parts that touch a boundary edge of others that stay also stay: they may
-/// close a hole. O(n log n).
+/// Small parts whose boxes touch the same cell of a grid of a quarter of an octant count as one, so that the leaves of
+/// a tree or the letters of a text stay, which together are large. Parts that touch a boundary edge of others that stay
+/// also stay: they may close a hole. O(n log n).
 std::vector<char> findSmallParts(const TriangleSoup& soup, const GridFrame& frame, const SmallPartOptions& options,
                                  const RunContext& context);
 
