@@ -55,9 +55,7 @@ struct Layered
   const DualMesh& plain() const { return meshed.mesh(); }
   LayerMesh divided() const
   {
-    std::vector<Index> counts = layersWanted(plain(), walls, one, options);
-    limitSteps(plain(), one, {}, counts);
-    return divideLayer(plain(), walls, one, options, counts);
+    return divideLayer(plain(), walls, one, options, layersWanted(plain(), walls, one, options));
   }
   Vec3 wayOf(Index point) const { return one.mesh.points[one.copies[point]] - plain().points[point]; }
 
@@ -370,7 +368,9 @@ TEST(BoundaryLayers, FillTheWayTheyAreGiven)
   EXPECT_NEAR(exact[1] * asked, 0.3, 1e-12);
   EXPECT_EQ(exact[2], 1.0);
   const std::vector<double> thin = divideWay(layers, 0.5 * asked);
-  EXPECT_EQ(thin, exact) << "thinner by the same factor";
+  EXPECT_NEAR(thin[0] * 0.5 * asked, 0.1, 1e-9) << "the first keeps its height, growth is lowered";
+  const std::vector<double> thinnest = divideWay(layers, 0.2 * asked);
+  EXPECT_NEAR(thinnest[0], 1.0 / 3.0, 1e-9) << "but not below 1";
   const WallLayers slow{3, 0.1, 1.2};
   const std::vector<double> stretched = divideWay(slow, 0.5);
   EXPECT_NEAR(stretched[0] * 0.5, 0.1, 1e-9) << "the first keeps its height, growth is raised";
@@ -483,36 +483,6 @@ TEST(Layers, AreTheSameBitsForAnyNumberOfThreads)
       EXPECT_EQ(one.result.layers.thicknesses, other.result.layers.thicknesses);
     }
   }
-}
-
-TEST(BoundaryLayers, TaperOffOneAtATime)
-{
-  TriangleSurface surface;
-  addSheet(surface, "Wall", {-3.0, 0.05, -3.0}, {6.0, 0.0, 0.0}, {0.0, 0.0, 6.0});
-  const Layered layered(meshAll(surface, gridOf(0.4)), {{"*", {5}}});
-  std::mt19937 random(1);
-  std::vector<Index> wanted = layersWanted(layered.plain(), layered.walls, layered.one, layered.options);
-  std::ranges::for_each(wanted, [&](Index& count) { count = random() % 20 == 0 ? std::min(count, 1U) : count; });
-  std::vector<Index> counts = wanted;
-  limitSteps(layered.plain(), layered.one, {}, counts);
-  for (const Index f : layered.one.wallFaces)
-  {
-    for (int i = 0; i < 4; ++i)
-    {
-      const Index here = counts[cornerOf(layered.plain(), layered.plain().boundaryFaces[f], i)];
-      const Index next = counts[cornerOf(layered.plain(), layered.plain().boundaryFaces[f], i + 1)];
-      EXPECT_LE(std::max(here, next) - std::min(here, next), 1U);
-    }
-  }
-  for (std::size_t p = 0; p < counts.size(); ++p)
-  {
-    EXPECT_LE(counts[p], wanted[p]);
-    EXPECT_EQ(counts[p] == 0, wanted[p] == 0);
-  }
-  std::vector<Index> again = counts;
-  limitSteps(layered.plain(), layered.one, {}, again);
-  EXPECT_EQ(again, counts);
-  expectValid(divideLayer(layered.plain(), layered.walls, layered.one, layered.options, counts), layered.plain());
 }
 
 } // namespace

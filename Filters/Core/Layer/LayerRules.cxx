@@ -52,16 +52,14 @@ std::vector<WallLayers> resolveLayerRules(const std::vector<LayerRule>& rules,
   for (const LayerRule& rule : rules)
   {
     checkRule(rule);
-    bool met = rule.pattern == "*";
-    for (std::size_t tag = 0; tag < ofTag.size(); ++tag)
+    std::vector<char> matching = matchingNames(rule.pattern, surfaceNames);
+    for (Index side = 0; side < sideNumbers; ++side)
     {
-      const bool matches = tag < surfaceNames.size()
-                               ? matchesPattern(rule.pattern, surfaceNames[tag])
-                               : rule.pattern == sideName(static_cast<Index>(tag - surfaceNames.size()));
-      ofTag[tag] = matches ? rule.layers : ofTag[tag];
-      met = met || matches;
+      matching.push_back(rule.pattern == sideName(side) ? 1 : 0);
     }
-    if (!met)
+    std::ranges::transform(ofTag, matching, ofTag.begin(),
+                           [&](const WallLayers& is, char matches) { return matches ? rule.layers : is; });
+    if (rule.pattern != "*" && std::ranges::find(matching, 1) == matching.end())
     {
       throw Error("no surface matches '" + rule.pattern + "', for which layers are asked; " +
                   namesInstead(rule.pattern, surfaceNames) +

@@ -33,7 +33,7 @@ struct LayerRule
 /// Missing values are taken from `otherwise`. Throws Error that quotes the text.
 LayerRule layerRuleFrom(const std::string& text, const WallLayers& otherwise);
 
-/// Returns the layers of each tag: the surfaces, then the six sides of the domain. The last rule that matches holds;
+/// Returns the layers of each tag: the surfaces, then the sides of the domain. The last rule that matches holds;
 /// without one there are no layers. Throws Error for numbers out of range, and for a pattern other than `*` that
 /// matches nothing.
 std::vector<WallLayers> resolveLayerRules(const std::vector<LayerRule>& rules,

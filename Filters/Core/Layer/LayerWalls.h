@@ -51,10 +51,10 @@ struct LayerOptions
   {
     return std::ranges::any_of(ofTag, [](const WallLayers& wall) { return wall.layers > 1; });
   }
-  /// True if a first height is requested anywhere.
+  /// True if layers with a first height are requested anywhere.
   bool hasHeights() const
   {
-    return std::ranges::any_of(ofTag, [](const WallLayers& wall) { return wall.firstHeight > 0.0; });
+    return std::ranges::any_of(ofTag, [](const WallLayers& wall) { return wall.layers > 0 && wall.firstHeight > 0.0; });
   }
 };
 

@@ -16,18 +16,18 @@ namespace {
 Bytes bytesOfChanges(const PointChanges& changes)
 {
   return bytesOf(changes.points, changes.places, changes.counts, changes.above, changes.classes, changes.turnedSides,
-                 changes.letGo, changes.suspect, changes.displacementLimits, changes.detached);
+                 changes.suspect, changes.displacementLimits, changes.detached);
 }
 
 PointChanges changesFrom(const Bytes& bytes)
 {
   PointChanges changes;
   readBytes(bytes, changes.points, changes.places, changes.counts, changes.above, changes.classes, changes.turnedSides,
-            changes.letGo, changes.suspect, changes.displacementLimits, changes.detached);
+            changes.suspect, changes.displacementLimits, changes.detached);
   return changes;
 }
 
-/// Those of the changes whose points have a number, with these numbers.
+/// Returns the changes whose points have a number, with these numbers.
 template <typename NumberOf> PointChanges renumbered(const PointChanges& changes, NumberOf&& numberOf)
 {
   PointChanges out;
@@ -47,7 +47,6 @@ template <typename NumberOf> PointChanges renumbered(const PointChanges& changes
       {
         out.turnedSides.push_back(changes.turnedSides[i]);
       }
-      out.letGo.push_back(changes.letGo[i]);
       out.suspect.push_back(changes.suspect[i]);
     }
     first = end;
@@ -69,7 +68,8 @@ template <typename NumberOf> PointChanges renumbered(const PointChanges& changes
   return out;
 }
 
-/// A poor element on all ranks: the grid point it stands for, or whose element has the face on which it stands.
+/// A poor element as all ranks know it: the grid point it stands for, or that of the element with the face on which it
+/// stands.
 struct SharedPoor
 {
   PointKey element;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// A mesh with the vertex of the model that each of its points stands for.
 #pragma once
 
 #include "Dual/Mesh/DualMesh.h"

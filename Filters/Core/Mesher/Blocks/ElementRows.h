@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds the elements in rows around others.
 #pragma once
 
 #include "Dual/Mesh/DualMesh.h"

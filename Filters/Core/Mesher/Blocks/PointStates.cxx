@@ -13,7 +13,6 @@ PointStates statesOf(std::vector<Vec3> points, const VertexClassification& class
   out.classes = classification.classes;
   out.turnedSides = classification.turnedSides;
   out.displacementLimits = classification.displacementLimits;
-  out.letGo.assign(out.points.size(), 0);
   out.suspect.assign(out.points.size(), 0);
   return out;
 }
@@ -24,11 +23,9 @@ void giveStates(const PointStates& states, const std::vector<char>& done, Index 
   SettledPoints& settled = task.settled;
   settled.open(ids.size());
   settled.atCut = settled.fixed = pointsAtCut(task.window, cutTag);
-  task.letGo.resize(ids.size());
   task.suspect.resize(ids.size());
   for (Index p = 0; p < ids.size(); ++p)
   {
-    task.letGo[p] = states.letGo[ids[p]];
     task.suspect[p] = states.suspect[ids[p]];
     if (settled.isAtCut(p))
     {
@@ -68,7 +65,6 @@ PointChanges copyStates(const PointStates& states, const std::vector<Index>& poi
     out.places.push_back(states.points[p]);
     out.counts.push_back(static_cast<Index>(above.size()));
     out.above.insert(out.above.end(), above.begin(), above.end());
-    out.letGo.push_back(states.letGo[p]);
     out.suspect.push_back(states.suspect[p]);
     out.classes.push_back(states.classes[vertexOf[p]]);
     if (!states.turnedSides.empty())
@@ -96,7 +92,6 @@ void apply(const PointChanges& changes, PointStates& states)
     states.points[p] = changes.places[i];
     states.layers.settle(p, std::span(changes.above).subspan(first, changes.counts[i]));
     first += changes.counts[i];
-    states.letGo[p] = changes.letGo[i];
     states.suspect[p] = changes.suspect[i];
     states.detached.erase(p);
     states.displacementLimits.erase(p);

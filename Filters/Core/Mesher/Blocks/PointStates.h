@@ -19,7 +19,6 @@ struct PointStates
   std::vector<SideBits> turnedSides;
   std::unordered_map<Index, DisplacementLimit> displacementLimits;
   /// As in ImproverState.
-  std::vector<char> letGo;
   std::vector<char> suspect;
   /// Where points are wanted that are not there.
   std::map<Index, Vec3> detached;

@@ -13,7 +13,6 @@ namespace {
 /// Tells the state of a window what is known of its points.
 void giveStates(const WindowTask& task, ImproverState& state)
 {
-  state.letGo = task.letGo;
   state.suspect = task.suspect;
   state.classification.classes = task.classes;
   for (Index v = 0; v < task.turnedSides.size(); ++v)
@@ -87,7 +86,6 @@ private:
     {
       out.above.push_back(layer.mesh.points[copy + 1 - i]);
     }
-    out.letGo.push_back(state.letGo[p]);
     out.suspect.push_back(state.suspect[p]);
     out.classes.push_back(state.classification.classes[vertex]);
     if (!state.classification.turnedSides.empty())
@@ -159,7 +157,6 @@ void append(const PointChanges& more, PointChanges& changes)
   add(more.above, changes.above);
   add(more.classes, changes.classes);
   add(more.turnedSides, changes.turnedSides);
-  add(more.letGo, changes.letGo);
   add(more.suspect, changes.suspect);
   add(more.displacementLimits, changes.displacementLimits);
   add(more.detached, changes.detached);

@@ -36,7 +36,6 @@ struct WindowTask
   std::vector<SideBits> turnedSides;
   std::unordered_map<Index, DisplacementLimit> displacementLimits;
   /// As in ImproverState.
-  std::vector<char> letGo;
   std::vector<char> suspect;
   /// Those that may move, in rising order.
   std::vector<DetachedVertex> detached;
@@ -55,7 +54,6 @@ struct PointChanges
   /// Of the vertex that each is.
   std::vector<VertexClass> classes;
   std::vector<SideBits> turnedSides;
-  std::vector<char> letGo;
   std::vector<char> suspect;
   /// Of some.
   std::vector<std::pair<Index, DisplacementLimit>> displacementLimits;

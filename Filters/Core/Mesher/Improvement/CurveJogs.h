@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Straightens curves that go around a face of the mesh.
 #pragma once
 
 #include "Dual/Vertices/DualVertices.h"

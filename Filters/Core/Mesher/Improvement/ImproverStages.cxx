@@ -29,6 +29,8 @@ constexpr CurvedWallTargets beyond{4.0, 0.1};
 constexpr double leastPyramidCosine = 0.07;
 /// Degrees of non-orthogonality: 60, beyond which vertices leave where the model wants them, to 56.6.
 constexpr QualityRange acceptable{0.5, 0.55};
+/// 69.5 to 60.
+constexpr QualityRange lastOfDivided{0.35, 0.5};
 /// 71.9 to 66.4.
 constexpr QualityRange acceptableOfDivided{0.31, 0.4};
 
@@ -70,6 +72,26 @@ OptimizerOptions thorough()
   options.tries = 4;
   options.leastChange = 0.05;
   return options;
+}
+
+/// Cells should have this part of what layers of given heights have on flat walls. Where that is not valid, they must
+/// have at least that one; elements of the next size have half of the weights and volume ratios.
+constexpr double flatTarget = 0.9;
+constexpr double flatLimit = 0.8;
+constexpr double flatLimitOfSizes = 0.4;
+
+/// Asks for no more than flat layers have.
+void keepWithin(const FlatLayers& flat, QualityTargets& targets)
+{
+  const auto keep = [](QualityRange& range, double most, double limit = flatLimit) {
+    range.target = std::min(range.target, flatTarget * most);
+    range.limit = range.limit < range.target ? range.limit : limit * most;
+  };
+  keep(targets.convexity, flat.convexity);
+  keep(targets.weight, flat.weight, flatLimitOfSizes);
+  keep(targets.volumeRatio, flat.volumeRatio, flatLimitOfSizes);
+  keep(targets.cornerVolume, flat.cornerVolume);
+  keep(targets.determinantRoot, flat.determinantRoot);
 }
 
 ImproverStage straighteningStage(const MeshTraits& traits, const QualityRange& faceCosine, bool byChains = false)
@@ -139,16 +161,11 @@ QualityTargets baseTargets(const MeshTraits& traits)
     targets.scaledJacobian = goodJacobian;
     targets.leastOfJacobian = leastPutBack;
   }
-  if (!traits.layered || traits.hasHeights)
+  if (!traits.layered)
   {
     targets.leastOfDeterminant = infinity;
   }
-  if (traits.hasHeights)
-  {
-    // Users who ask for a height have the jump in size that comes with it.
-    targets.weight.limit = 0.0;
-    targets.volumeRatio.limit = 0.0;
-  }
+  keepWithin(traits.flat, targets);
   return targets;
 }
 
@@ -187,7 +204,7 @@ ImproverStage flatteningStage(const MeshTraits& traits)
 {
   ImproverStage stage{quick(), clearlyShort};
   stage.options.targets = baseTargets(traits);
-  stage.options.targets.cornerVolume.target = volumeToDivide;
+  stage.options.targets.cornerVolume.target = std::min(volumeToDivide, flatTarget * traits.flat.cornerVolumeOfAll);
   stage.options.leastWorst = leastOfOthers;
   stage.options.sweeps = 10;
   return stage;
@@ -231,14 +248,20 @@ std::vector<ImproverStage> straighteningStages(const MeshTraits& traits)
   {
     // Degrees of non-orthogonality: 78.5 to 66.4, 69.5 to 60. A limit as high as with one layer would take long.
     constexpr QualityRange first{0.2, 0.4};
-    constexpr QualityRange last{0.35, 0.5};
     return {straighteningStage(traits, first, true), straighteningStage(traits, first),
-            straighteningStage(traits, last, true), straighteningStage(traits, last)};
+            straighteningStage(traits, lastOfDivided, true), straighteningStage(traits, lastOfDivided)};
   }
   // 72.5, 66.4 and 59.3 to 56.6.
   const auto stage = [&](double limit) { return straighteningStage(traits, {limit, acceptable.target}); };
   const ImproverStage last = stage(0.51);
   return {stage(0.3), stage(0.4), last, last};
+}
+
+QualityTargets targetsOfHeights(const MeshTraits& traits)
+{
+  QualityTargets targets = baseTargets(traits);
+  targets.faceCosine = lastOfDivided;
+  return targets;
 }
 
 QualityTargets targetsOfLargestAngle(const MeshTraits& traits)
@@ -254,9 +277,10 @@ QualityTargets targetsOfChecks(const MeshTraits& traits)
   targets.pyramidCosine.limit = targets.faceCosine.limit = 0.0;
   targets.convexity.limit = checkLimits::concaveSine;
   targets.skewness.limit = checkLimits::skewness;
-  targets.weight.limit = traits.hasHeights ? 0.0 : checkLimits::faceWeight;
-  targets.volumeRatio.limit = traits.hasHeights ? 0.0 : checkLimits::volumeRatio;
-  targets.determinantRoot.limit = std::sqrt(std::sqrt(checkLimits::determinant));
+  targets.weight.limit = std::min(targets.weight.limit, checkLimits::faceWeight);
+  targets.volumeRatio.limit = std::min(targets.volumeRatio.limit, checkLimits::volumeRatio);
+  targets.determinantRoot.limit =
+      std::min(targets.determinantRoot.limit, std::sqrt(std::sqrt(checkLimits::determinant)));
   return targets;
 }
 

@@ -2,6 +2,7 @@
 /// What the stages of the improver aim at and how they go there, in the order in which they run.
 #pragma once
 
+#include "Layer/FlatLayers.h"
 #include "Optimize/Kernel/CurvedWallTargets.h"
 #include "Optimize/Kernel/Optimizer.h"
 
@@ -26,12 +27,13 @@ struct ImproverStage
 /// What a mesh is like, as far as targets depend on it.
 struct MeshTraits
 {
-  bool layered;    ///< whether there may be layers somewhere
-  bool asked;      ///< whether a layer is asked for somewhere
-  bool supported;  ///< whether layers are somewhere only where elements cannot be valid without
-  bool hasHeights; ///< whether a height of layers is asked for somewhere
-  bool divided;    ///< whether several layers are asked for somewhere
-  bool uniform;    ///< whether all octants at elements are of one size, so that these are hexahedra
+  bool layered;         ///< whether there may be layers somewhere
+  bool asked;           ///< whether a layer is asked for somewhere
+  bool supported;       ///< whether layers are somewhere only where elements cannot be valid without
+  bool hasHeights;      ///< whether a height of layers is asked for somewhere
+  bool divided;         ///< whether several layers are asked for somewhere
+  bool uniform;         ///< whether all octants at elements are of one size, so that these are hexahedra
+  FlatLayers flat = {}; ///< what layers of given heights have at best
 
   /// Single layers of a height left to the mesh.
   bool isSingle() const { return asked && !hasHeights && !divided; }
@@ -99,7 +101,10 @@ std::vector<ImproverStage> straighteningStages(const MeshTraits& traits);
 QualityTargets targetsOfLargestAngle(const MeshTraits& traits);
 inline constexpr std::array reachesForAngles{aLittle, anOctant};
 
-/// 8. Crease sheets begin flat; what does not come right at once gets more room. Then limits rise, as cells far from
+/// 8. Points of layers go back to heights that were asked for, as far as elements keep to these.
+QualityTargets targetsOfHeights(const MeshTraits& traits);
+
+/// 9. Crease sheets begin flat; what does not come right at once gets more room. Then limits rise, as cells far from
 /// the last ones find no way there. The stages after the first few are for what is still short of
 /// `wantedOfCreaseSheets`.
 std::vector<ImproverStage> soundCreaseStages(const MeshTraits& traits);

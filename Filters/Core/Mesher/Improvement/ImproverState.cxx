@@ -16,7 +16,8 @@ MeshTraits traitsOf(const DualMesh& plain, const LayerOptions& options)
           .supported = std::ranges::find(options.supporting, SupportingLayer::whereNeeded) != options.supporting.end(),
           .hasHeights = options.hasHeights(),
           .divided = options.isDivided(),
-          .uniform = std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end()};
+          .uniform = std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end(),
+          .flat = flatLayers(plain, options)};
 }
 
 ImproverState::ImproverState(const MeshingContext& meshingContext, const VertexClassification& given,
@@ -24,8 +25,8 @@ ImproverState::ImproverState(const MeshingContext& meshingContext, const VertexC
                              const LayerOptions& layerOptions, const MeshTraits& meshTraits)
     : context(meshingContext), wanted(given), classification(given), vertexOf(vertices), plain(plainMesh),
       walls(layerWalls), options(layerOptions), traits(meshTraits), grower(walls, options),
-      mayLeave(vertexOf.size(), 1), letGo(vertexOf.size(), 0), excluded(vertexOf.size(), 0),
-      suspect(vertexOf.size(), 0), measured(baseTargets(traits))
+      mayLeave(vertexOf.size(), 1), excluded(vertexOf.size(), 0), suspect(vertexOf.size(), 0),
+      measured(baseTargets(traits))
 {
   for (const BoundaryFace& face : plain.boundaryFaces)
   {

@@ -59,11 +59,9 @@ struct ImproverState
   MeshTraits traits;
   LayerGrower grower;
   LayerMesh layer;
-  /// By point of the plain mesh: whether it may leave its surface, whether its copy need not stay on a side of the
-  /// domain, whether it has no layer, whether cells there fell short after a pass, also in the second row from the
-  /// walls.
+  /// One entry per point of the plain mesh: 1 if it may leave its surface, if it has no layer, if cells there fell
+  /// short after a pass, also in the second row from the walls.
   std::vector<char> mayLeave;
-  std::vector<char> letGo;
   std::vector<char> excluded;
   std::vector<char> suspect;
   /// By point of the plain mesh, where cells are looked for, which grows by what is outdated; empty, everywhere.
@@ -77,7 +75,7 @@ struct LayerFreedom
 {
   explicit LayerFreedom(const ImproverState& state)
       : model(state.context, state.classification, state.layer.mesh.points, state.vertexOf),
-        layer(state.layer, state.walls, state.options, state.vertexOf, state.letGo, model)
+        layer(state.layer, state.walls, state.options, state.vertexOf, model)
   {
   }
 

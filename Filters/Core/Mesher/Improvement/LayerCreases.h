@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Adds crease sheets to a mesh whose octants are all of one size.
 #pragma once
 
 #include "Mesher/Improvement/ImproverState.h"

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_map>
+#include <utility>
 
 namespace atria {
 
@@ -112,11 +114,6 @@ private:
 
 void LayerDivision::run()
 {
-  if (state_.traits.hasHeights)
-  {
-    divideEvenly();
-    return;
-  }
   if (!state_.walls.settled.areDivided)
   {
     flattenTops();
@@ -266,30 +263,111 @@ void LayerDivision::restore(const std::vector<ShortCell>& cells, const std::vect
   }
 }
 
-/// Layers taper one at a time, and elements that are bad lose some until there are none.
-void LayerDivision::divideEvenly()
+namespace {
+
+/// Moves the points of layers to the heights that were asked for, where cells stay sound, and keeps track of which did.
+class HeightRestorer
 {
-  const LayerMesh one = state_.layer;
-  std::vector<Index> counts = layersWanted(state_.plain, state_.walls, one, state_.options);
-  std::vector<Index> before;
-  std::vector<char> marked;
-  while (counts != before)
+public:
+  explicit HeightRestorer(ImproverState& state)
+      : state_(state), asked_(layersOfPoints(state.plain, state.walls, state.options)),
+        targets_(targetsOfHeights(state.traits))
   {
-    limitSteps(state_.plain, one, state_.walls.settled, counts);
-    state_.layer = divideLayer(state_.plain, state_.walls, one, state_.options, counts);
-    marked = before.empty() ? pointsToEvaluate(state_.layer, state_.context.executor)
-                            : pointsBesideChange(state_.plain, state_.layer, before, counts);
-    before = counts;
-    const DualSource source(state_.layer.mesh);
-    const std::vector<ShortCell> cells =
-        badOf(findShortCells(source, marked, baseTargets(state_.traits), state_.context));
-    const std::vector<char> lowered = pointsWithMost(state_.layer, cells, counts, state_.walls.settled);
-    for (Index p = 0; p < counts.size(); ++p)
+  }
+
+  /// Moves all points, then puts those of cells back that are not sound and got worse, until there are none.
+  void run(bool withCopies)
+  {
+    LayerMesh& layer = state_.layer;
+    std::unordered_map<Index, float> shortBefore;
+    for (const ShortCell& cell : state_.findShort(targets_, soundEnough))
     {
-      counts[p] -= lowered[p] && counts[p] > 1 ? 1 : 0;
+      shortBefore[cell.cell] = cell.worst;
+    }
+    const std::vector<Vec3> before = std::exchange(layer.mesh.points, places(withCopies));
+    std::vector<char> changed(layer.plainPoints, 0);
+    for (Index p = layer.plainPoints; p < before.size(); ++p)
+    {
+      changed[layer.wallPointOf(p)] |= layer.mesh.points[p] != before[p] ? 1 : 0;
+    }
+    std::vector<char> isRestored = changed;
+    while (std::ranges::find(changed, 1) != changed.end())
+    {
+      state_.outdateAt(changed);
+      changed = pointsToPutBack(isRestored, shortBefore);
+      for (Index p = layer.plainPoints; p < before.size(); ++p)
+      {
+        layer.mesh.points[p] = changed[layer.wallPointOf(p)] ? before[p] : layer.mesh.points[p];
+      }
+      std::ranges::transform(isRestored, changed, isRestored.begin(), [](char is, char back) { return back ? 0 : is; });
     }
   }
-  state_.measureBy(strictestOfDivided(state_.traits));
+
+private:
+  std::vector<char> pointsToPutBack(const std::vector<char>& isRestored,
+                                    const std::unordered_map<Index, float>& shortBefore) const
+  {
+    std::vector<char> marked(isRestored.size(), 0);
+    for (const ShortCell& cell : state_.findShort(targets_, soundEnough))
+    {
+      const auto found = shortBefore.find(cell.cell);
+      const bool isWorse = found == shortBefore.end() || cell.worst < found->second;
+      for (const Index p : state_.layer.mesh.corners[cell.cell])
+      {
+        const Index wallPoint = state_.layer.wallPointOf(p);
+        marked[wallPoint] = isWorse && isRestored[wallPoint] ? 1 : marked[wallPoint];
+      }
+    }
+    return marked;
+  }
+
+  /// Returns where points are if those of chains, with or without their copies, have the heights that were asked for.
+  std::vector<Vec3> places(bool withCopies) const
+  {
+    const LayerMesh& layer = state_.layer;
+    const std::vector<double> heights = heightsAbove(state_.plain, state_.walls, layer);
+    std::vector<Vec3> places = layer.mesh.points;
+    std::vector<double> shares;
+    double scale = 1.0;
+    for (std::size_t i = 0; i < layer.wallPoints.size(); ++i)
+    {
+      const Index p = layer.wallPoints[i];
+      const Index point = layer.plainPoints + static_cast<Index>(i);
+      if (asked_[p].firstHeight == 0.0 || state_.walls.settled.stays(p))
+      {
+        continue;
+      }
+      if (layer.places[i] == 1)
+      {
+        WallLayers layers = asked_[p];
+        layers.layers = static_cast<int>(layer.copies[p] - point) + 1;
+        const bool isWhole = layers.layers == asked_[p].layers;
+        scale = withCopies && isWhole ? thicknessAsked(layers, 0.0, {}) / heights[p] : 1.0;
+        shares = divideWay(layers, scale * heights[p]);
+      }
+      const Vec3& wall = layer.mesh.points[p];
+      const Vec3 way = layer.mesh.points[layer.copies[p]] - wall;
+      places[point] = point == layer.copies[p] && scale == 1.0 ? layer.mesh.points[point]
+                                                               : Vec3(wall + scale * shares[layer.places[i] - 1] * way);
+    }
+    return places;
+  }
+
+  ImproverState& state_;
+  const std::vector<WallLayers> asked_;
+  const QualityTargets targets_;
+};
+
+} // namespace
+
+void restoreHeights(ImproverState& state)
+{
+  if (state.traits.hasHeights)
+  {
+    HeightRestorer restorer(state);
+    restorer.run(true);
+    restorer.run(false);
+  }
 }
 
 } // namespace atria

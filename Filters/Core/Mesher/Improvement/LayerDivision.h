@@ -13,9 +13,8 @@ class LayerDivision
 public:
   explicit LayerDivision(ImproverState& state) : state_(state) {}
 
-  /// Layers of an asked height stay as they are: nothing can be improved by moving their points.
   void run();
-  /// After that, without heights: takes layers away at cells, and improves what is about these. Whether there were some
+  /// After that: takes layers away at cells, and improves what is about these. Whether there were some
   /// to take away.
   bool giveWay(const std::vector<ShortCell>& cells);
 
@@ -27,7 +26,6 @@ private:
   void lower(const std::vector<ShortCell>& cells);
   bool isHeld(const ShortCell& cell) const;
   void restore(const std::vector<ShortCell>& cells, const std::vector<Index>& counts, std::vector<char>& changed);
-  void divideEvenly();
 
   ImproverState& state_;
   /// The layer before it was divided, and with its outermost points as they are now.
@@ -39,5 +37,9 @@ private:
   std::vector<Index> counts_;
   std::vector<char> held_;
 };
+
+/// Moves the points of layers whose first height was asked for back to that height, where cells stay sound: the whole
+/// of the layers first, else those within them. Does nothing without such layers.
+void restoreHeights(ImproverState& state);
 
 } // namespace atria

@@ -64,11 +64,8 @@ void finishDivided(ImproverState& state, VertexDetachment& detachment, const Run
   supportMore(state, detachment);
   LayerDivision division(state);
   division.run();
-  if (!state.traits.hasHeights)
-  {
-    enter(state, whole, 0.7, 0.9, "Straightening elements");
-    straightenDivided(std::move(division), state, detachment);
-  }
+  enter(state, whole, 0.7, 0.9, "Straightening elements");
+  straightenDivided(std::move(division), state, detachment);
 }
 
 /// What follows where they are single, or none.
@@ -138,6 +135,7 @@ void LayerImprover::finish()
   {
     finishWhole(state_, detachment_, curved_ ? &*curved_ : nullptr, whole_);
   }
+  restoreHeights(state_);
 }
 
 ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassification& classification,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Unfolds faces of walls before layers are added.
 #pragma once
 
 #include "Dual/Mesh/DualMesh.h"

@@ -113,7 +113,6 @@ void VertexDetachment::make(RoomStep step, const std::vector<ShortCell>& bad)
     return;
   }
   eachLeaderOf(bad, [&](Index leader) {
-    state_.letGo[leader] = 1;
     step == RoomStep::leaveCurves ? leaveCurve(leader)
                                   : leaveSurface(leader, step == RoomStep::leaveALittle ? aLittle : anOctant);
   });
@@ -182,7 +181,6 @@ void VertexDetachment::leaveSurface(Index leader, double reach)
 void VertexDetachment::detach(const std::vector<ShortCell>& cells, double reach)
 {
   eachLeaderOf(cells, [&](Index leader) {
-    state_.letGo[leader] = 1;
     leaveCurve(leader);
     leaveSurface(leader, reach);
   });

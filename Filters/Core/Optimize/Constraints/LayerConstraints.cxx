@@ -4,8 +4,7 @@
 namespace atria {
 
 LayerConstraints::LayerConstraints(const LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
-                                   const std::vector<Index>& leaders, const std::vector<char>& letGo,
-                                   VertexConstraints& plain)
+                                   const std::vector<Index>& leaders, VertexConstraints& plain)
     : layer_(layer), settled_(walls.settled), options_(options), plain_(plain), leaders_(leaders),
       sides_(layer.wallPoints.size(), 0)
 {
@@ -25,26 +24,6 @@ LayerConstraints::LayerConstraints(const LayerMesh& layer, const LayerWalls& wal
       {
         sides_[layer.copies[p] - layer.plainPoints] |=
             SideBits{1} << (isBare ? face.tag - options.surfaceCount() : Index{face.direction});
-      }
-    }
-  }
-  if (options.hasHeights())
-  {
-    pin(letGo);
-  }
-}
-
-void LayerConstraints::pin(const std::vector<char>& letGo)
-{
-  pinned_.assign(layer_.plainPoints, 0);
-  for (const BoundaryFace& face : layer_.mesh.boundaryFaces)
-  {
-    for (int i = 0; i < 4 && options_.ofTag[face.tag].firstHeight > 0.0; ++i)
-    {
-      const Index p = cornerOf(layer_.mesh, face, i);
-      if (p < layer_.plainPoints)
-      {
-        pinned_[leaders_[p]] = !letGo[leaders_[p]];
       }
     }
   }
@@ -69,8 +48,7 @@ bool LayerConstraints::isMovable(Index point) const
   {
     return false;
   }
-  return point < layer_.plainPoints ? !isPinned(point) && plain_.isMovable(point)
-                                    : !isPinned(layer_.wallPoints[point - layer_.plainPoints]);
+  return layer_.isNew(point) || plain_.isMovable(point);
 }
 
 Vec3 LayerConstraints::place(Index point, const Vec3& p) const

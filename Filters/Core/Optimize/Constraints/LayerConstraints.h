@@ -8,15 +8,13 @@
 namespace atria {
 
 /// Limits the points of a mesh with a layer. New points stay on the domain's sides that their wall points slide on;
-/// plain points follow other constraints. Wall points on the two sides of a sheet move together. Points of layers with
-/// a requested height stay, unless they are let go. Settled points stay, too.
+/// plain points follow other constraints. Wall points on the two sides of a sheet move together. Settled points stay.
 class LayerConstraints : public VertexConstraints
 {
 public:
-  /// `leaders` has one entry per point of the plain mesh: the first point in the same position. Leaders whose `letGo`
-  /// is set may move in layers with a requested height, too.
+  /// `leaders` has one entry per point of the plain mesh: the first point in the same position.
   LayerConstraints(const LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
-                   const std::vector<Index>& leaders, const std::vector<char>& letGo, VertexConstraints& plain);
+                   const std::vector<Index>& leaders, VertexConstraints& plain);
 
   void prepare(std::span<const Index> points, const RunContext& context) override;
   bool isMovable(Index point) const override;
@@ -25,8 +23,6 @@ public:
   Ways waysFrom(Index point, const Vec3& p, double step) const override;
 
 private:
-  void pin(const std::vector<char>& letGo);
-  bool isPinned(Index plainPoint) const { return !pinned_.empty() && pinned_[leaders_[plainPoint]] != 0; }
   SideBits sidesOf(Index wallPoint) const { return sides_[layer_.copies[wallPoint] - layer_.plainPoints]; }
 
   const LayerMesh& layer_;
@@ -34,9 +30,6 @@ private:
   const LayerOptions& options_;
   VertexConstraints& plain_;
   const std::vector<Index>& leaders_;
-  /// One entry per leader: 1 if layers at its points have a requested height and it is not let go. Empty if no layer
-  /// has one.
-  std::vector<char> pinned_;
   /// One entry per new point: for a copy, the domain's sides on which it slides; 0 for all others.
   std::vector<SideBits> sides_;
 };
