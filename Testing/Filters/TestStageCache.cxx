@@ -8,6 +8,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <random>
@@ -294,6 +295,10 @@ TEST_F(StageCacheTest, ChangesInARowGiveWhatAFreshFilterDoes)
            c.command == "SetGapTolerance" || c.command == "SetGroundSnapRatio";
   });
   std::shuffle(changes.begin(), changes.end(), random);
+  if (!std::getenv("ATRIA_TEST_FULL"))
+  {
+    changes.erase(changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2), changes.end()); // ever slower ones
+  }
   std::vector<Set> sets;
   mesher->Update();
   messages.takeWarnings();

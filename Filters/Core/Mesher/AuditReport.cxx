@@ -260,6 +260,7 @@ std::vector<std::string> notesOf(const MeshAudit& audit, const std::vector<std::
   if (!open.empty())
   {
     std::vector<Finding> found;
+    found.reserve(open.size());
     for (const AiredBody& body : open)
     {
       found.push_back({body.volume, body.surface, textOf("about ", body.place.transpose())});
