@@ -4,6 +4,7 @@
 #include "Domain/Domain.h"
 #include "Support/Error.h"
 #include "Support/NamePattern.h"
+#include "Surface/Triangles/Weld.h"
 #include "Surface/Triangulation/PlanarTriangulation.h"
 
 #include <algorithm>
@@ -23,41 +24,29 @@ struct Border
   Index surface;
 };
 
-/// Numbers places; those within `tolerance` on each axis of one that has a number have the same.
-struct Merger
-{
-  Index numberOf(const Vec3& p)
-  {
-    const std::array<std::int64_t, 3> cell = cellOf(p);
-    for (int neighbor = 0; neighbor < 27; ++neighbor)
-    {
-      const auto found =
-          known.find({cell[0] + neighbor % 3 - 1, cell[1] + neighbor / 3 % 3 - 1, cell[2] + neighbor / 9 - 1});
-      if (found != known.end() && (points[found->second] - p).cwiseAbs().maxCoeff() <= tolerance)
-      {
-        return found->second;
-      }
-    }
-    points.push_back(p);
-    return known[cell] = static_cast<Index>(points.size() - 1);
-  }
-
-  std::array<std::int64_t, 3> cellOf(const Vec3& p) const
-  {
-    return {std::llround(p[0] / tolerance), std::llround(p[1] / tolerance), std::llround(p[2] / tolerance)};
-  }
-
-  double tolerance;
-  std::map<std::array<std::int64_t, 3>, Index> known; ///< by cells of that width, whose places are all one
-  std::vector<Vec3>& points;
-};
+/// Units of the lattice on which points are welded, in the tolerance.
+constexpr std::int64_t stepsOfTolerance = 16;
 
 class Outline
 {
 public:
   Outline(const TriangleSurface& surface, const SurfaceFlags& isTerrain, double tolerance)
   {
-    Merger merger{std::max(tolerance, 1e-12), {}, points};
+    const double unit = std::max(tolerance, 1e-12) / stepsOfTolerance;
+    std::vector<LatticePoint> places;
+    std::vector<Index> numbers;
+    PointWelder welder(places, stepsOfTolerance);
+    const auto numbered = [&](const Vec3& p) {
+      places.push_back({std::llround(p[0] / unit), std::llround(p[1] / unit), std::llround(p[2] / unit)});
+      const Index first = welder.addNext();
+      const bool isNew = first + 1 == places.size();
+      if (isNew)
+      {
+        points.push_back(p);
+      }
+      numbers.push_back(isNew ? static_cast<Index>(points.size() - 1) : numbers[first]);
+      return numbers.back();
+    };
     struct Use
     {
       int count = 0;
@@ -73,7 +62,7 @@ public:
       }
       std::array<Index, 3> ids;
       std::transform(surface.triangles[t].begin(), surface.triangles[t].end(), ids.begin(),
-                     [&](Index p) { return merger.numberOf(surface.points[p]); });
+                     [&](Index p) { return numbered(surface.points[p]); });
       const double area = areaFromAbove(ids);
       upwards += area;
       for (int i = 0; i < 3; ++i)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Layer/BoundaryLayers.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
@@ -54,34 +52,31 @@ std::vector<char> besideFewer(const DualMesh& plain, const LayerMesh& one, const
 void placeChains(LayerMesh& layer, const LayerMesh& one, const std::vector<WallLayers>& asked,
                  const std::vector<char>& ends, const std::vector<double>& heights)
 {
-  std::copy_n(one.mesh.points.begin(), one.plainPoints, layer.mesh.points.begin());
-  std::vector<double> shares;
-  for (std::size_t i = 0; i < layer.wallPoints.size(); ++i)
-  {
-    const Index p = layer.wallPoints[i];
-    const Index point = layer.plainPoints + static_cast<Index>(i);
+  std::vector<Vec3>& points = layer.mesh.points;
+  std::copy_n(one.mesh.points.begin(), one.plainPoints, points.begin());
+  forChains(layer, [&](Index p, Index first, Index count) {
+    WallLayers layers = asked[p];
+    layers.layers = static_cast<int>(count);
+    // Layers become wedges beside an end; their determinants go with the fourth power of the thinnest.
+    layers.growth = ends[p] && layers.firstHeight == 0.0 ? 1.0 : layers.growth;
+    const std::vector<double> shares = divideWay(layers, heights[p]);
     const Vec3& wall = one.mesh.points[p];
     const Vec3& copy = one.mesh.points[one.copies[p]];
-    if (layer.places[i] == 1)
+    for (Index i = 0; i + 1 < count; ++i)
     {
-      WallLayers layers = asked[p];
-      layers.layers = static_cast<int>(layer.copies[p] - point) + 1;
-      // Layers become wedges beside an end; their determinants go with the fourth power of the thinnest.
-      layers.growth = ends[p] && layers.firstHeight == 0.0 ? 1.0 : layers.growth;
-      shares = divideWay(layers, heights[p]);
+      points[first + i] = wall + shares[i] * (copy - wall);
     }
-    layer.mesh.points[point] =
-        point == layer.copies[p] ? copy : Vec3(wall + shares[layer.places[i] - 1] * (copy - wall));
-  }
+    points[layer.copies[p]] = copy;
+  });
 }
 
 } // namespace
 
-std::vector<double> heightsAbove(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& layer)
+std::vector<double> heightsAbove(const LayerWalls& walls, const LayerMesh& layer)
 {
   const std::vector<Vec3>& points = layer.mesh.points;
   const auto wayOf = [&](Index p) { return Vec3(points[layer.copies[p]] - points[p]); };
-  std::vector<double> heights(plain.points.size(), 0.0);
+  std::vector<double> heights(layer.plainPoints, 0.0);
   for (Index p = 0; p < heights.size(); ++p)
   {
     heights[p] = layer.copies[p] == noIndex ? 0.0 : wayOf(p).norm();
@@ -89,13 +84,11 @@ std::vector<double> heightsAbove(const DualMesh& plain, const LayerWalls& walls,
   const std::vector<double> ways = heights;
   for (Index f = 0; f < walls.roles.size(); ++f)
   {
-    const std::array<Index, 4> corners = cornersOf(plain, plain.boundaryFaces[f]);
-    const auto at = [&](int i) { return points[corners[i]]; };
-    // Boundary faces point out of the mesh.
-    const Vec3 inward = -(at(2) - at(0)).cross(at(3) - at(1)).normalized();
-    for (std::size_t i = 0; i < 4 && walls.roles[f] == FaceRole::wall; ++i)
+    const BoundaryFace& face = layer.mesh.boundaryFaces[f];
+    const Vec3 inward = walls.roles[f] == FaceRole::wall ? wallNormal(layer.mesh, face).normalized() : Vec3::Zero();
+    for (int i = 0; i < 4 && walls.roles[f] == FaceRole::wall; ++i)
     {
-      const Index p = corners[i];
+      const Index p = cornerOf(layer.mesh, face, i);
       if (layer.copies[p] != noIndex)
       {
         heights[p] = std::max(std::min(heights[p], inward.dot(wayOf(p))), 0.5 * ways[p]);
@@ -164,8 +157,9 @@ LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const Laye
                       const std::vector<Index>& counts)
 {
   LayerMesh out = buildLayer(plain, walls, counts);
-  placeChains(out, one, layersOfPoints(plain, walls, options), besideFewer(plain, one, counts),
-              heightsAbove(plain, walls, one));
+  const std::vector<double> heights =
+      options.hasHeights() ? heightsAbove(walls, one) : std::vector<double>(one.plainPoints, 0.0);
+  placeChains(out, one, layersOfPoints(plain, walls, options), besideFewer(plain, one, counts), heights);
   for (std::size_t i = 0; i < out.wallPoints.size(); ++i)
   {
     if (const Index p = out.wallPoints[i]; walls.settled.keepsLayers(p) && counts[p] == walls.settled.counts[p])

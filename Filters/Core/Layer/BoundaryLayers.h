@@ -22,9 +22,23 @@ LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const Laye
                       const std::vector<Index>& counts);
 inline constexpr double maximumGrowth = 2.0;
 
-/// Returns the height of the layers at each point: that of its copy above the lowest of its walls, but no less than
-/// half of the way to the copy; 0 for points without a copy. `points` are those of the layer's mesh.
-std::vector<double> heightsAbove(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& layer);
+/// Calls `use(p, first, count)` for each point p of a wall with layers: its chain is the `count` points from `first` to
+/// the copy.
+template <typename Use> void forChains(const LayerMesh& layer, Use&& use)
+{
+  for (Index p = 0; p < layer.plainPoints; ++p)
+  {
+    if (const Index copy = layer.copies[p]; copy != noIndex)
+    {
+      const Index count = layer.places[copy - layer.plainPoints];
+      use(p, copy + 1 - count, count);
+    }
+  }
+}
+
+/// Returns the height of the layers at each point of the plain mesh: that of its copy above the lowest of its walls,
+/// but no less than half of the way to the copy; 0 for points without a copy.
+std::vector<double> heightsAbove(const LayerWalls& walls, const LayerMesh& layer);
 
 /// Returns the shares of a line at which its layers end: one entry per layer, rising, the last 1. The line ends at
 /// `height` above the wall.

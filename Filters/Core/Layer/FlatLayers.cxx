@@ -3,8 +3,6 @@
 
 #include "Layer/ConformingLayer.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
@@ -73,8 +71,7 @@ FlatLayers flatLayers(const DualMesh& mesh, const LayerOptions& options)
     const WallLayers& layers = options.ofTag[face.tag];
     if (layers.layers > 0 && layers.firstHeight > 0.0)
     {
-      const auto at = [&](int i) { return mesh.points[cornerOf(mesh, face, i)]; };
-      sizes[face.tag].push_back(std::sqrt(0.5 * (at(2) - at(0)).cross(at(3) - at(1)).norm()));
+      sizes[face.tag].push_back(std::sqrt(wallNormal(mesh, face).norm()));
     }
   }
   FlatLayers out;

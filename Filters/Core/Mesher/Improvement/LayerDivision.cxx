@@ -325,31 +325,25 @@ private:
   std::vector<Vec3> places(bool withCopies) const
   {
     const LayerMesh& layer = state_.layer;
-    const std::vector<double> heights = heightsAbove(state_.plain, state_.walls, layer);
+    const std::vector<double> heights = heightsAbove(state_.walls, layer);
     std::vector<Vec3> places = layer.mesh.points;
-    std::vector<double> shares;
-    double scale = 1.0;
-    for (std::size_t i = 0; i < layer.wallPoints.size(); ++i)
-    {
-      const Index p = layer.wallPoints[i];
-      const Index point = layer.plainPoints + static_cast<Index>(i);
+    forChains(layer, [&](Index p, Index first, Index count) {
       if (asked_[p].firstHeight == 0.0 || state_.walls.settled.stays(p))
       {
-        continue;
+        return;
       }
-      if (layer.places[i] == 1)
-      {
-        WallLayers layers = asked_[p];
-        layers.layers = static_cast<int>(layer.copies[p] - point) + 1;
-        const bool isWhole = layers.layers == asked_[p].layers;
-        scale = withCopies && isWhole ? thicknessAsked(layers, 0.0, {}) / heights[p] : 1.0;
-        shares = divideWay(layers, scale * heights[p]);
-      }
+      WallLayers layers = asked_[p];
+      layers.layers = static_cast<int>(count);
+      const bool movesCopy = withCopies && layers.layers == asked_[p].layers;
+      const double scale = movesCopy ? thicknessAsked(layers, 0.0, {}) / heights[p] : 1.0;
+      const std::vector<double> shares = divideWay(layers, scale * heights[p]);
       const Vec3& wall = layer.mesh.points[p];
       const Vec3 way = layer.mesh.points[layer.copies[p]] - wall;
-      places[point] = point == layer.copies[p] && scale == 1.0 ? layer.mesh.points[point]
-                                                               : Vec3(wall + scale * shares[layer.places[i] - 1] * way);
-    }
+      for (Index i = 0; i + (scale == 1.0 ? 1 : 0) < count; ++i)
+      {
+        places[first + i] = wall + scale * shares[i] * way;
+      }
+    });
     return places;
   }
 
