@@ -76,6 +76,12 @@ public:
   std::function<void(double, const std::string&)> show;
 };
 
+/// Writes a line at once: std::cerr has no buffer, and mpiexec may put parts of a line elsewhere.
+void writeLine(const char* kind, const std::string& text)
+{
+  std::cerr << std::string("atria: ") + kind + ": " + inOptions(text) + '\n';
+}
+
 } // namespace
 
 class Console::Window : public vtkOutputWindow
@@ -120,19 +126,19 @@ Console::~Console()
 void Console::error(const std::string& text)
 {
   clearBar();
-  std::cerr << "atria: error: " << inOptions(text) << '\n';
+  writeLine("error", text);
 }
 
 void Console::warning(const std::string& text)
 {
   clearBar();
-  std::cerr << "atria: warning: " << inOptions(text) << '\n';
+  writeLine("warning", text);
 }
 
 void Console::note(const std::string& text)
 {
   clearBar();
-  std::cerr << "atria: note: " << inOptions(text) << '\n';
+  writeLine("note", text);
 }
 
 void Console::catchTermination() { catchInterrupts(SIGTERM); }

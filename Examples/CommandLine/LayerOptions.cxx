@@ -3,19 +3,22 @@
 
 #include "Commands.h"
 #include "Numbers.h"
+#include "Support/PatternRule.h"
 
 #include <vtkAtriaDualMesher.h>
 #include <vtkNew.h>
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace atria::tool {
 
 namespace {
 
-/// Returns numbers with colons between them, at most `most`; none for any other text.
+/// Returns numbers with colons between them, at most `most`, NaN for `auto`; none for any other text.
 std::vector<double> numbersFrom(const std::string& text, std::size_t most)
 {
   std::vector<double> numbers;
@@ -23,7 +26,12 @@ std::vector<double> numbersFrom(const std::string& text, std::size_t most)
   for (std::string word; std::getline(in, word, ':');)
   {
     std::istringstream part(word);
-    double number = 0.0;
+    double number = std::numeric_limits<double>::quiet_NaN();
+    if (word == "auto" && numbers.size() != 1 && most > 1)
+    {
+      numbers.push_back(number);
+      continue;
+    }
     if (!(part >> number) || !part.eof() || numbers.size() == most)
     {
       return {};
@@ -47,7 +55,9 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
   command
       .add_option("--layers", options.layers,
                   "Layers of elements on all surfaces, or on those whose name matches the pattern (* and ? stand for "
-                  "text) and on domain sides of that name; may be repeated, the last that matches holds (default: 1)")
+                  "text) and on domain sides of that name; may be repeated, the last that matches holds (default: 1). "
+                  "With FIRST, N or GROWTH may be 'auto': so "
+                  "that the outermost layer is as high as the elements beside it")
       ->allow_extra_args(false)
       ->type_name("N|PATTERN=N[:FIRST[:GROWTH]]");
   command.add_flag("--no-support", options.withoutSupport,
@@ -93,24 +103,21 @@ void configureLayers(vtkAtriaDualMesher* mesher, const LayerOptions& options)
     const auto equals = text.rfind('=');
     const bool forAll = equals == std::string::npos;
     const std::vector<double> numbers = numbersFrom(forAll ? text : text.substr(equals + 1), forAll ? 1 : 3);
-    if (numbers.empty() || numbers[0] < 0.0 || numbers[0] > 100.0 || numbers[0] != static_cast<int>(numbers[0]))
+    const bool isNumber = !numbers.empty() && !std::isnan(numbers[0]);
+    if (numbers.empty() ||
+        (isNumber && (numbers[0] < 0.0 || numbers[0] > 100.0 || numbers[0] != std::floor(numbers[0]))))
     {
-      throw Failure(Usage,
-                    "--layers: " + text + " is not of the form N or PATTERN=N[:FIRST[:GROWTH]], N from 0 to 100");
+      throw Failure(Usage, "--layers: " + text +
+                               " is not of the form N or PATTERN=N[:FIRST[:GROWTH]], N from 0 to 100 or 'auto', GROWTH "
+                               "a number or 'auto'");
     }
-    const int layers = static_cast<int>(numbers[0]);
     if (forAll)
     {
-      mesher->SetNumberOfLayers(layers);
-    }
-    else if (numbers.size() == 1)
-    {
-      mesher->AddLayerRule(text.substr(0, equals), layers);
+      mesher->SetNumberOfLayers(static_cast<int>(numbers[0]));
     }
     else
     {
-      mesher->AddLayerRule(text.substr(0, equals), layers, numbers[1],
-                           numbers.size() > 2 ? numbers[2] : options.growth);
+      mesher->AddLayerRule(textOf(PatternRule{text.substr(0, equals), numbers}).c_str());
     }
   }
 }

@@ -173,6 +173,17 @@ Json checksOf(vtkTable* checks)
   return list;
 }
 
+Json textsOf(vtkPolyData* diagnostics, const char* name)
+{
+  Json out = Json::array();
+  vtkStringArray* texts = stringsOf(diagnostics, name);
+  for (vtkIdType i = 0; texts && i < texts->GetNumberOfValues(); ++i)
+  {
+    out.push_back(inOptions(texts->GetValue(i)));
+  }
+  return out;
+}
+
 std::vector<std::string> failedIn(const Json& checks)
 {
   std::vector<std::string> names;
@@ -219,13 +230,7 @@ Json diagnosticsOf(vtkPolyData* diagnostics)
   counts["SurfaceWithoutFaces"] = missing;
   for (const char* name : {"InputWarning", "SizingWarning", "InputNote"})
   {
-    Json warnings = Json::array();
-    vtkStringArray* texts = stringsOf(diagnostics, name);
-    for (vtkIdType i = 0; texts && i < texts->GetNumberOfValues(); ++i)
-    {
-      warnings.push_back(inOptions(texts->GetValue(i)));
-    }
-    counts[name] = warnings;
+    counts[name] = textsOf(diagnostics, name);
   }
   return counts;
 }

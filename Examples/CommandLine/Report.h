@@ -40,6 +40,9 @@ Json qualityOf(vtkTable* summary);
 /// vtkAtriaMeshQuality or vtkAtriaOpenFOAMWriter.
 Json checksOf(vtkTable* checks);
 
+/// Returns the texts of a field array of the diagnostics, with options in place of properties.
+Json textsOf(vtkPolyData* diagnostics, const char* name);
+
 /// Returns the names of the checks that count as failed.
 std::vector<std::string> failedIn(const Json& checks);
 

@@ -215,6 +215,7 @@ void layersToVtk(const LayerReport& layers, vtkPolyData* out)
   addArrayOf<vtkDoubleArray>(data, "LayerFullCoverage", layers.surfaces,
                              [](const LayerCoverage& s) { return s.full / s.area; });
   addArrayOf<vtkDoubleArray>(data, "LayerThicknessRatio", layers.surfaces, &LayerCoverage::thickness);
+  addArrayOf<vtkStringArray>(data, "FailingByThinLayers", layers.thin.failingChecks);
 }
 
 void hiddenDetailToVtk(const std::vector<HiddenDetail>& hidden, const std::vector<std::string>& surfaceNames,

@@ -194,7 +194,9 @@ public:
    * LayerGrowth unless given. The last rule that matches holds; where surfaces meet, the smallest values hold. A bare
    * side of the domain has layers if a rule has exactly its name, `xMin` … `zMax`. AddLayerRule takes a rule as text,
    * `PATTERN LAYERS [FIRSTHEIGHT [GROWTH]]`, the pattern in double quotes if it holds blanks; GetLayerRule returns this
-   * form. A pattern that matches nothing, or a number out of range, is an error of the run. None by default.
+   * form. With a first height, LAYERS or GROWTH may be `auto`: as many layers, or the growth from 1 to 2, at which the
+   * next layer would be as high as what is left of the elements beside them. A pattern that matches nothing, or a
+   * number out of range, is an error of the run. None by default.
    */
   void AddLayerRule(const std::string& pattern, int layers);
   void AddLayerRule(const std::string& pattern, int layers, double firstHeight, double growth);

@@ -27,6 +27,7 @@
 #include <ctime>
 #include <filesystem>
 #include <iostream>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -67,6 +68,16 @@ Eigen::Affine3d transformOf(const aiMatrix4x4& m)
   return transform;
 }
 
+/// Returns what undoes the transformation of the root of an FBX file, which has none of its own: assimp 5.4 turns it by
+/// the axes that `metadata` states, and 5.3 does not.
+Eigen::Affine3d aroundRoot(const aiScene& scene)
+{
+  aiString format;
+  const bool isFbx = scene.mMetaData && scene.mMetaData->Get("SourceAsset_Format", format) &&
+                     std::string(format.C_Str()).find("FBX") != std::string::npos;
+  return isFbx ? transformOf(scene.mRootNode->mTransformation).inverse() : Eigen::Affine3d::Identity();
+}
+
 class Scene
 {
 public:
@@ -74,7 +85,7 @@ public:
 
   Json written()
   {
-    visit(*scene.mRootNode, Eigen::Affine3d::Identity(), -1);
+    visit(*scene.mRootNode, aroundRoot(scene), -1);
     return {{"groups", groups}, {"parts", parts}, {"metadata", metadata()}, {"skipped", skipped}};
   }
 
@@ -214,7 +225,6 @@ Json read(const std::string& file)
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true); // else they are ids
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  importer.SetPropertyBool("AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION", true); // of assimp 6; earlier ones never turn
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_ANIMATIONS);
   const aiScene* scene = importer.ReadFile(file, 0);
   if (!scene || !scene->mRootNode)

@@ -4,6 +4,7 @@
 #include "Layer/BoundaryLayers.h"
 #include "Layer/ElementShape.h"
 #include "Layer/LayerCoverage.h"
+#include "Layer/LayerHeights.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/Error.h"
 #include "Support/MeshIt.h"
@@ -53,10 +54,7 @@ struct Layered
   }
 
   const DualMesh& plain() const { return meshed.mesh(); }
-  LayerMesh divided() const
-  {
-    return divideLayer(plain(), walls, one, options, layersWanted(plain(), walls, one, options));
-  }
+  LayerMesh divided() const { return divideLayer(plain(), walls, one, options, layersWanted(walls, one)); }
   Vec3 wayOf(Index point) const { return one.mesh.points[one.copies[point]] - plain().points[point]; }
 
   /// Points with faces of this tag.

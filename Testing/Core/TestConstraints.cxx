@@ -2,12 +2,17 @@
 /// Where vertices may go, without a mesh about them.
 #include "Optimize/Constraints/ChainConstraints.h"
 #include "Optimize/Constraints/ModelConstraints.h"
+#include "Optimize/Kernel/VertexConstraints.h"
 #include "SizedOctree.h"
 #include "Support/QuietContext.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -206,6 +211,43 @@ TEST(ChainConstraints, AChainFollowsItsCopyByTheSharesOfItsWay)
   EXPECT_TRUE(chains.isMovable(1));
   EXPECT_EQ(chains.leaderOf(1), 1u);
   EXPECT_EQ(chains.shareOf(1), 1.0);
+}
+
+/// Positions on a plane, a line, a point, or anywhere, through the point (1, 2, 3).
+class Flat : public VertexConstraints
+{
+public:
+  explicit Flat(std::vector<Vec3> directions) : along(std::move(directions)) {}
+  bool isMovable(Index) const override { return true; }
+  Vec3 place(Index, const Vec3& p) const override
+  {
+    Vec3 out(1, 2, 3);
+    const Vec3 way = p - out;
+    std::ranges::for_each(along, [&](const Vec3& one) { out += one.dot(way) * one; });
+    return out;
+  }
+  const std::vector<Vec3> along;
+};
+
+TEST(VertexConstraints, GiveOrthogonalWaysWithinAllowedPositions)
+{
+  const Eigen::Matrix3d axes = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  const std::vector<Vec3> all{axes.col(0), axes.col(1), axes.col(2)};
+  for (std::size_t count = 0; count <= 3; ++count)
+  {
+    const Flat flat({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)});
+    const Ways ways = flat.waysFrom(0, Vec3(1, 2, 3), 0.01);
+    ASSERT_EQ(ways.count, static_cast<int>(count));
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      EXPECT_NEAR(ways.along[i].norm(), 1.0, 1e-9);
+      EXPECT_LT((flat.place(0, Vec3(1, 2, 3) + ways.along[i]) - Vec3(1, 2, 3) - ways.along[i]).norm(), 1e-9);
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        EXPECT_NEAR(ways.along[i].dot(ways.along[j]), 0.0, 1e-9);
+      }
+    }
+  }
 }
 
 } // namespace

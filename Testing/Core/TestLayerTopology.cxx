@@ -147,7 +147,7 @@ TEST(LayerTopology, GrownLayersAreSoundOnRandomSoups)
     std::vector<char> excluded(plain.points.size());
     std::generate(excluded.begin(), excluded.end(), [&] { return random() % (2 + seed) == 0; });
     const LayerMesh one = LayerGrower(walls, options).grow(plain, excluded, quietContext());
-    const LayerMesh divided = divideLayer(plain, walls, one, options, layersWanted(plain, walls, one, options));
+    const LayerMesh divided = divideLayer(plain, walls, one, options, layersWanted(walls, one));
     for (const LayerMesh* layer : {&one, &divided})
     {
       expectLayersOn(*layer, plain, static_cast<Index>(meshed.model.names.size()));

@@ -1,19 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Tests cells and faces in parts, for formats without polyhedra.
+#include "FaceSamples.h"
 #include "Quality/Faces/CellShapes.h"
+#include "Quality/Faces/Geometry.h"
 #include "Quality/Faces/NativeCells.h"
 #include "Support/QuietContext.h"
 #include "Support/SampleMesh.h"
+#include "UpTo.h"
 
 #include <Eigen/Geometry>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <set>
+#include <span>
+#include <vector>
 
 namespace {
 
 using namespace atria;
+using atria::testing::facesOf;
+using atria::testing::Loop;
+using atria::testing::measureCellOf;
+using atria::testing::mixedCells;
+using atria::testing::quietContext;
+using atria::testing::RandomShapes;
 using atria::testing::SampleMesh;
+using atria::testing::upTo;
 
 /// A prism of height 1 over a polygon, turned away from the axes.
 SampleMesh prismOver(const std::vector<Vec3>& plan)
@@ -90,6 +106,114 @@ TEST(NativeCells, OfAShapeThatNoPlaceSeesAllOfAreCounted)
   const NativeCells cells = cut(channel);
   EXPECT_GT(cells.invertedCells, 0u);
   EXPECT_EQ(cells.apices.size(), 1u);
+}
+
+/// Returns the triangles of the fan from the lowest-numbered corner that sees the whole polygon; from the lowest corner
+/// if there is none.
+std::set<Loop> fanOf(const std::vector<Vec3>& points, const Loop& face)
+{
+  const Vec3 normal = measurePolygon(points, face).area;
+  const std::size_t size = face.size();
+  Loop starts = face;
+  std::ranges::sort(starts);
+  starts.push_back(starts.front());
+  std::set<Loop> triangles;
+  for (const Index start : starts)
+  {
+    triangles.clear();
+    const auto from = static_cast<std::size_t>(std::ranges::find(face, start) - face.begin());
+    bool fits = true;
+    for (std::size_t i = 1; i + 1 < size; ++i)
+    {
+      Loop part{start, face[(from + i) % size], face[(from + i + 1) % size]};
+      fits = fits && measurePolygon(points, part).area.dot(normal) > 0.0;
+      std::ranges::sort(part);
+      triangles.insert(part);
+    }
+    if (fits)
+    {
+      break;
+    }
+  }
+  return triangles;
+}
+
+TEST(DividedFaces, AreFansFromTheLowestCornerThatSeesAll)
+{
+  RandomShapes shapes(11);
+  std::mt19937 random(13);
+  for (int round = 0; round < 300; ++round)
+  {
+    Loop face = upTo(5 + static_cast<std::size_t>(round % 4));
+    Vec3 normal;
+    std::vector<Vec3> points = shapes.convexPolygon(face.size(), normal);
+    for (int dent = 0; dent < round % 3; ++dent) // corners that not all others see
+    {
+      Vec3& corner = points[random() % points.size()];
+      corner += 0.8 * (measurePolygon(points, face).centroid - corner);
+    }
+    std::vector<Vec3> renamed = points;
+    Loop names = face;
+    std::ranges::shuffle(names, random);
+    for (std::size_t i = 0; i < names.size(); ++i)
+    {
+      renamed[names[i]] = points[i];
+    }
+    const std::set<Loop> expected = fanOf(renamed, names);
+    for (int side = 0; side < 2; ++side)
+    {
+      std::set<Loop> found;
+      const Vec3 area = measurePolygon(renamed, names).area;
+      Vec3 sum = Vec3::Zero();
+      divideFace(renamed, names, [&](std::span<const Index> part) {
+        sum += measurePolygon(renamed, part).area;
+        Loop sorted(part.begin(), part.end());
+        std::ranges::sort(sorted);
+        found.insert(sorted);
+      });
+      EXPECT_EQ(found, expected) << round;
+      EXPECT_LT((sum - area).norm(), 1e-12) << "triangles are wound as the face";
+      std::ranges::reverse(names);
+    }
+  }
+}
+
+TEST(DividedFaces, OfUpToFourCornersStayWhole)
+{
+  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  for (const Loop& face : {Loop{2, 0, 1}, Loop{3, 0, 1, 2}})
+  {
+    std::vector<Loop> parts;
+    divideFace(points, face, [&](std::span<const Index> part) { parts.emplace_back(part.begin(), part.end()); });
+    EXPECT_EQ(parts, std::vector<Loop>{face});
+  }
+}
+
+TEST(NativeCells, KeepTheVolumesOfAllCells)
+{
+  for (unsigned seed = 0; seed < 5; ++seed)
+  {
+    const SampleMesh sample = mixedCells({3, 3, 3}, seed, 0.1);
+    const FaceMesh mesh = makeFaceMesh(sample.points, sample.view());
+    const CellFaces cellFaces = makeCellFaces(mesh);
+    const NativeCells native = makeNativeCells(mesh, cellFaces, sample.view(), {}, quietContext().progress);
+    SampleMesh made;
+    made.points = sample.points;
+    made.points.insert(made.points.end(), native.apices.begin(), native.apices.end());
+    for (std::size_t cell = 0; cell < native.types.size(); ++cell)
+    {
+      made.addCell(native.types[cell], {native.cornersOf(cell).begin(), native.cornersOf(cell).end()});
+      EXPECT_GT(measureCellOf(made.points, facesOf(made, cell)).volume, 0.0);
+    }
+    const auto polyhedra = static_cast<std::size_t>(std::ranges::count(sample.types, polyhedronCell));
+    EXPECT_EQ(native.dividedPolyhedra, polyhedra);
+    EXPECT_EQ(native.apices.size(), polyhedra);
+    EXPECT_EQ(native.invertedCells, 0U);
+    EXPECT_EQ(std::ranges::count(native.types, voxelCell), 0);
+    const FaceMesh again = makeFaceMesh(made.points, made.view());
+    EXPECT_EQ(again.faceCount() - again.internalFaceCount(), mesh.faceCount() - mesh.internalFaceCount())
+        << "parts meet without gaps";
+  }
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Domain/WindDomain.h"
 #include "Grid/Prism.h"
+#include "LatticeSamples.h"
 #include "Support/Error.h"
 #include "Support/Shapes.h"
 
@@ -12,13 +13,19 @@
 
 namespace {
 
+using atria::boundsAlong;
 using atria::Box3;
+using atria::Index;
+using atria::isUprightSide;
 using atria::PlacedBox;
 using atria::PlacedPrism;
+using atria::Placement;
 using atria::PrismSide;
 using atria::SideBits;
+using atria::sideNumbers;
 using atria::Vec2;
 using atria::Vec3;
+using atria::testing::Random;
 
 constexpr double rounding = 1e-12;
 const Box3 box{Vec3(-3.1, 0.7, 1.0), Vec3(5.3, 9.9, 4.0)};
@@ -153,6 +160,34 @@ TEST(Prism, TurnsAClockwisePolygonRoundFromItsFirstCorner)
   {
     EXPECT_EQ(prism.sides()[i].start, wanted.sides()[i].start);
     EXPECT_EQ(prism.sides()[i].normal, wanted.sides()[i].normal);
+  }
+}
+
+TEST(Prism, HasBoundsAlongOtherAxes)
+{
+  Random random(3);
+  for (const int sides : {3, 4, 7})
+  {
+    const PlacedPrism prism(PlacedBox{Placement(random.in(0.0, 90.0)), {Vec3(1, -2, 3), Vec3(5, 9, 4)}}, sides);
+    const Placement axes(random.in(-90.0, 90.0));
+    Box3 wanted;
+    for (const PrismSide& side : prism.sides())
+    {
+      for (const double height : {3.0, 4.0})
+      {
+        wanted.extend(axes.fromModel(prism.axes.toModel({side.end[0], side.end[1], height})));
+      }
+    }
+    const Box3 bounds = boundsAlong(axes, prism);
+    EXPECT_NEAR((bounds.min - wanted.min).norm() + (bounds.max - wanted.max).norm(), 0.0, rounding);
+  }
+}
+
+TEST(Prism, HasUprightSidesButForBottomAndTop)
+{
+  for (Index number = 0; number < sideNumbers; ++number)
+  {
+    EXPECT_EQ(isUprightSide(number), number != 4 && number != 5) << number;
   }
 }
 

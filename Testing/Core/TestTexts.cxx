@@ -356,6 +356,11 @@ TEST(PatternRule, HasAsManyNumbersAsAllowed)
     }
   }
   EXPECT_EQ(patternRuleFrom("Wall", 0, 0, "layer", "FORM").pattern, "Wall");
+  EXPECT_THROW(patternRuleFrom("Wall auto", 1, 1, "layer", "FORM"), Error);
+  const PatternRule fitting = patternRuleFrom("auto auto 0.5", 2, 2, "layer", "FORM", true);
+  EXPECT_EQ(fitting.pattern, "auto");
+  EXPECT_TRUE(std::isnan(fitting.numbers[0]));
+  EXPECT_EQ(textOf(fitting), "\"auto\" auto 0.5");
 }
 
 TEST(PatternRuleError, SaysWhatRuleIsNotOfWhatForm)

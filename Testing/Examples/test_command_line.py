@@ -23,7 +23,7 @@ COARSE = ["--size-max", "16", "--size-mid", "4", "--size-min", "2", "--site", "S
 FINE = ["--size-max", "16", "--size-mid", "2", "--size-min", "1", "--site", "Site"]
 REPORT_KEYS = [
     "counts", "zones", "rooms", "openings", "leaks", "patches", "quality", "invalid_elements", "max_level", "seconds",
-    "peak_memory_bytes", "threads", "repair", "hidden_detail", "layers", "audit", "left_out_elements", "diagnostics", "openfoam",
+    "peak_memory_bytes", "threads", "repair", "hidden_detail", "layers", "failing_by_thin_layers", "audit", "left_out_elements", "diagnostics", "openfoam",
 ]
 
 
@@ -31,6 +31,7 @@ def expected_status(report):
     """Of atria mesh: 4 for elements that are not valid, 5 for checks that fail."""
     checks = (report["openfoam"] or {"checks": {}})["checks"]
     failed = {name for name, check in checks.items() if check["is_error"] and check["failing"]}
+    failed -= set(report["failing_by_thin_layers"])
     return 4 if report["invalid_elements"] else 5 if failed else 0
 
 
@@ -406,6 +407,17 @@ class CommandLine(unittest.TestCase):
         self.assertAlmostEqual(straight["area"], turned["area"], places=6)
         self.assertEqual(straight["non_manifold_edges"], turned["non_manifold_edges"])
         self.assertEqual(straight["open_edges"], turned["open_edges"])
+
+    def test_checks_that_thin_layers_fail_are_a_note(self):
+        out, case, report = (self.folder / name for name in ("thin.vtu", "thin", "thin.json"))
+        flat = ["--layers", "0", "--layers", "Site=2:0.05:1.2", *COARSE, "-o", out, "--openfoam", case, "--report", report]
+        run = self.atria("mesh", HOUSE, *flat)
+        data = json.loads(report.read_text())
+        failing = {name for name, check in data["openfoam"]["checks"].items() if check["is_error"] and check["failing"]}
+        self.assertIn("Determinant", failing)
+        self.assertEqual(data["failing_by_thin_layers"], ["Determinant", "FaceWeight"])
+        self.assertEqual(run.returncode, 5 if failing - {"Determinant", "FaceWeight"} else 0)
+        self.assertIn("layers are so thin that Determinant and FaceWeight of checkMesh fail on any wall", run.stderr)
 
     def test_mesh_and_quality(self):
         out, patches, report = (self.folder / name for name in ("house.vtu", "house.vtpc", "house.json"))

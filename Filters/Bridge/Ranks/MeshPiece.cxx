@@ -27,8 +27,6 @@ namespace atria {
 namespace {
 
 constexpr int tag = 27185;
-/// Number of cells measured at once, fewer than for a whole mesh: ranks on one machine measure at the same time.
-constexpr std::size_t measuredOfPiece = measuredAtOnce / 4;
 
 std::vector<std::int64_t> idsOf(vtkDataSetAttributes* data, const char* name)
 {
@@ -271,8 +269,7 @@ std::optional<QualityByBoxes> MeshPiece::measure(const RunContext& context) cons
   const std::vector<BoundaryFaceKey> keys = patches.keys();
   const CountedPart part{
       own, [this](Index one, Index other) { return isOwn(cells.ids[one] < cells.ids[other] ? one : other); }};
-  return computeQualityByBoxes(itsPoints.view(), itsCells.view(), {keys, true, {}, {}}, context, measuredOfPiece,
-                               &part);
+  return computeQualityByBoxes(itsPoints.view(), itsCells.view(), {keys, true, {}, {}}, context, measuredAtOnce, &part);
 }
 
 WidePiece MeshPiece::widen(int rings, RankExchange& exchange, const Executor& executor,

@@ -1,36 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Layer/BoundaryLayers.h"
 
+#include "Layer/LayerHeights.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace atria {
 
 namespace {
-
-/// Returns the total height of layers whose first height is 1.
-double sumOf(int count, double growth)
-{
-  double sum = 0.0;
-  double height = 1.0;
-  for (int i = 0; i < count; ++i, height *= growth)
-  {
-    sum += height;
-  }
-  return sum;
-}
-
-/// Returns the growth from `low` to `high` at which `count` layers, the first of height 1, come nearest to the total
-/// height `length`.
-double growthFor(int count, double length, double low, double high)
-{
-  for (int i = 0; i < 60; ++i)
-  {
-    const double middle = 0.5 * (low + high);
-    (sumOf(count, middle) < length ? low : high) = middle;
-  }
-  return high;
-}
 
 /// Marks points that have more layers than another point of a face.
 std::vector<char> besideFewer(const DualMesh& plain, const LayerMesh& one, const std::vector<Index>& counts)
@@ -98,21 +76,6 @@ std::vector<double> heightsAbove(const LayerWalls& walls, const LayerMesh& layer
   return heights;
 }
 
-std::vector<double> divideWay(const WallLayers& layers, double height)
-{
-  const double growth = layers.firstHeight > 0.0
-                            ? growthFor(layers.layers, height / layers.firstHeight, std::min(layers.growth, 1.0),
-                                        std::max(layers.growth, maximumGrowth))
-                            : layers.growth;
-  std::vector<double> shares;
-  const double whole = sumOf(layers.layers, growth);
-  for (int i = 1; i <= layers.layers; ++i)
-  {
-    shares.push_back(i == layers.layers ? 1.0 : sumOf(i, growth) / whole);
-  }
-  return shares;
-}
-
 std::vector<WallLayers> layersOfPoints(const DualMesh& mesh, const LayerWalls& walls, const LayerOptions& options)
 {
   std::vector<WallLayers> out(mesh.points.size());
@@ -139,16 +102,14 @@ std::vector<WallLayers> layersOfPoints(const DualMesh& mesh, const LayerWalls& w
   return out;
 }
 
-std::vector<Index> layersWanted(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& one,
-                                const LayerOptions& options)
+std::vector<Index> layersWanted(const LayerWalls& walls, const LayerMesh& one)
 {
-  const std::vector<WallLayers> asked = layersOfPoints(plain, walls, options);
   std::vector<Index> counts(one.copies.size());
   for (std::size_t p = 0; p < counts.size(); ++p)
   {
     counts[p] = one.copies[p] == noIndex              ? 0
                 : walls.settled.keepsLayers(Index(p)) ? walls.settled.counts[p]
-                                                      : static_cast<Index>(asked[p].layers);
+                                                      : walls.counts[p];
   }
   return counts;
 }

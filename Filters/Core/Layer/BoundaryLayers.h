@@ -8,19 +8,16 @@ namespace atria {
 
 /// Returns the number of layers for each point of the plain mesh: the smallest number that the walls around it request,
 /// or 0 if `one` has no layer there.
-std::vector<Index> layersWanted(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& one,
-                                const LayerOptions& options);
+std::vector<Index> layersWanted(const LayerWalls& walls, const LayerMesh& one);
 
 /// Divides the conforming layer: the line from each wall point to its copy becomes a chain of `counts` layers. It has
 /// the smallest first height and the smallest growth that the walls around the point request. Points of `one` are kept,
 /// also those that moved since it was grown. New points lie on the straight line between wall point and copy.
 ///
-/// The layers fill the line. A first height is kept, as a height above the wall (heightsAbove), and growth follows from
-/// it: from 1 to `maximumGrowth`, or to what is requested if that is beyond. Heights are scaled if that is not enough.
-/// Without a first height, layers grow as requested, but have equal heights beside points with fewer layers.
+/// The layers fill the line (divideWay); first heights are heights above the wall (heightsAbove). Without one, layers
+/// grow as requested, but have equal heights beside points with fewer layers.
 LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& one, const LayerOptions& options,
                       const std::vector<Index>& counts);
-inline constexpr double maximumGrowth = 2.0;
 
 /// Calls `use(p, first, count)` for each point p of a wall with layers: its chain is the `count` points from `first` to
 /// the copy.
@@ -39,10 +36,6 @@ template <typename Use> void forChains(const LayerMesh& layer, Use&& use)
 /// Returns the height of the layers at each point of the plain mesh: that of its copy above the lowest of its walls,
 /// but no less than half of the way to the copy; 0 for points without a copy.
 std::vector<double> heightsAbove(const LayerWalls& walls, const LayerMesh& layer);
-
-/// Returns the shares of a line at which its layers end: one entry per layer, rising, the last 1. The line ends at
-/// `height` above the wall.
-std::vector<double> divideWay(const WallLayers& layers, double height);
 
 /// Returns the layers of each point: the smallest number, first height (of those that are given) and growth that the
 /// walls around it request.

@@ -2,6 +2,7 @@
 #include "Layer/ConformingLayer.h"
 
 #include "Layer/ElementShape.h"
+#include "Layer/LayerHeights.h"
 #include "Support/Pieces.h"
 
 #include <algorithm>
@@ -228,16 +229,6 @@ void widen(std::vector<char>& marked, const DualMesh& plain, const LayerMesh& la
 }
 
 } // namespace
-
-double thicknessAsked(const WallLayers& layers, double wallSize, const LayerOptions& options)
-{
-  if (layers.firstHeight == 0.0)
-  {
-    return (layers.layers > 1 ? options.dividedThickness : options.relativeThickness) * wallSize;
-  }
-  const double g = layers.growth;
-  return layers.firstHeight * (g == 1.0 ? layers.layers : (std::pow(g, layers.layers) - 1.0) / (g - 1.0));
-}
 
 std::vector<Index> elementsAt(const DualMesh& mesh, const std::vector<char>& marked, const Executor& executor)
 {

@@ -56,8 +56,4 @@ std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls,
 /// Returns the elements with a marked point, in order.
 std::vector<Index> elementsAt(const DualMesh& mesh, const std::vector<char>& marked, const Executor& executor);
 
-/// Returns the requested total thickness of the layers at a point, in model units. `wallSize` is its size by
-/// findWallSizes.
-double thicknessAsked(const WallLayers& layers, double wallSize, const LayerOptions& options);
-
 } // namespace atria

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Layer/LayerBudget.h"
 
+#include "Layer/LayerHeights.h"
 #include "Octree/Sizing/ElementBudget.h"
 #include "Support/Pieces.h"
 
@@ -14,10 +15,11 @@ std::size_t elementsWithLayers(const Octree& octree, const SurfaceModel& model, 
 {
   const std::vector<WallLayers> layers = resolveLayerRules(rules, model.names);
   const auto elementsAt = [&](Index leaf) {
+    const double size = octree.frame().sizeOf(octree.level(leaf));
     int most = 0;
-    for (const ModelItem item : octree.items(leaf))
+    for (const ModelItem item : octree.items(leaf, ModelItem::triangle))
     {
-      most = item.kind == ModelItem::triangle ? std::max(most, layers[model.surfaceIds[item.index]].layers) : most;
+      most = std::max(most, fitted(layers[model.surfaceIds[item.index]], size).layers);
     }
     return std::size_t{1} + static_cast<std::size_t>(most);
   };

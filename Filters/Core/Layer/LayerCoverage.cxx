@@ -2,6 +2,7 @@
 #include "Layer/LayerCoverage.h"
 
 #include "Layer/ConformingLayer.h"
+#include "Layer/LayerHeights.h"
 
 #include <algorithm>
 #include <cmath>

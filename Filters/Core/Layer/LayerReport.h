@@ -23,6 +23,15 @@ struct LayerCoverage
   double thickness = 0.0;
 };
 
+/// Layers that are too thin for checks of checkMesh, wherever they are.
+struct ThinLayers
+{
+  /// Names of the checks (docs/arrays.md) that fail even on a flat wall.
+  std::vector<std::string> failingChecks;
+  /// Says why, and what to do; empty if none fails.
+  std::string note;
+};
+
 struct LayerReport
 {
   /// One entry per boundary face of the mesh: the number of elements in the stack on it, and their total thickness
@@ -31,6 +40,7 @@ struct LayerReport
   std::vector<double> thicknesses;
   /// Surfaces and bare sides that have faces and were to get layers, or whose elements needed one.
   std::vector<LayerCoverage> surfaces;
+  ThinLayers thin;
 };
 
 } // namespace atria

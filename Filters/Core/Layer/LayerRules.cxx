@@ -15,11 +15,17 @@ namespace {
 
 void checkRule(const LayerRule& rule)
 {
-  const auto& [layers, firstHeight, growth] = rule.layers;
-  const char* wrong = layers < 0 || layers > 100                             ? "the number of layers must be 0 to 100"
+  const int layers = rule.layers.layers;
+  const double firstHeight = rule.layers.firstHeight;
+  const double growth = rule.layers.growth;
+  const bool anyNumber = layers == WallLayers::asManyAsFit;
+  const bool anyGrowth = growth == WallLayers::fittingGrowth;
+  const char* wrong = !anyNumber && (layers < 0 || layers > 100)             ? "the number of layers must be 0 to 100"
                       : !(firstHeight >= 0.0) || !std::isfinite(firstHeight) ? "the first height must not be negative"
-                      : !(growth >= 0.5 && growth <= 5.0)                    ? "the growth must be 0.5 to 5"
-                                                                             : nullptr;
+                      : !anyGrowth && !(growth >= 0.5 && growth <= 5.0)      ? "the growth must be 0.5 to 5"
+                      : anyNumber && anyGrowth ? "either the number or the growth may be 'auto', not both"
+                      : (anyNumber || anyGrowth) && firstHeight == 0.0 ? "'auto' needs a first height"
+                                                                       : nullptr;
   if (wrong)
   {
     throw Error("layers on '" + rule.pattern + "': " + wrong);
@@ -31,16 +37,19 @@ void checkRule(const LayerRule& rule)
 LayerRule layerRuleFrom(const std::string& text, const WallLayers& otherwise)
 {
   constexpr const char* form = "PATTERN LAYERS [FIRSTHEIGHT [GROWTH]]";
-  const PatternRule parsed = patternRuleFrom(text, 1, 3, "layer", form);
+  const PatternRule parsed = patternRuleFrom(text, 1, 3, "layer", form, true);
   LayerRule rule{parsed.pattern, otherwise};
   const std::vector<double>& numbers = parsed.numbers;
-  if (numbers[0] != std::floor(numbers[0]) || std::abs(numbers[0]) > 1e6)
+  const bool anyNumber = std::isnan(numbers[0]);
+  if (!anyNumber && (numbers[0] != std::floor(numbers[0]) || std::abs(numbers[0]) > 1e6 || numbers[0] < 0.0))
   {
-    throw Error("the layer rule '" + text + "' is not of the form " + form + ": LAYERS is a whole number");
+    throw Error("the layer rule '" + text + "' is not of the form " + form + ": LAYERS is a whole number or 'auto'");
   }
-  rule.layers.layers = static_cast<int>(numbers[0]);
+  rule.layers.layers = anyNumber ? WallLayers::asManyAsFit : static_cast<int>(numbers[0]);
   rule.layers.firstHeight = numbers.size() > 1 ? numbers[1] : otherwise.firstHeight;
-  rule.layers.growth = numbers.size() > 2 ? numbers[2] : otherwise.growth;
+  rule.layers.growth = numbers.size() < 3       ? otherwise.growth
+                       : std::isnan(numbers[2]) ? WallLayers::fittingGrowth
+                                                : std::max(numbers[2], 0.0);
   checkRule(rule);
   return rule;
 }

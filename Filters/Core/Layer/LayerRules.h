@@ -12,6 +12,10 @@ namespace atria {
 /// Layers requested on the faces of one tag.
 struct WallLayers
 {
+  /// In place of numbers that follow from the elements beside the wall; see fitted() in LayerHeights.h.
+  static constexpr int asManyAsFit = -1;
+  static constexpr double fittingGrowth = -1.0;
+
   /// Layers of elements, 0 to 100; 0 for none.
   int layers = 0;
   /// Height of the first one in model units, not negative; 0 leaves it to the size of the elements beside the wall.
@@ -29,8 +33,9 @@ struct LayerRule
   WallLayers layers;
 };
 
-/// Reads a rule from text, `PATTERN LAYERS [FIRSTHEIGHT [GROWTH]]`; the pattern is in double quotes if it holds blanks.
-/// Missing values are taken from `otherwise`. Throws Error that quotes the text.
+/// Reads a rule from text, `PATTERN LAYERS [FIRSTHEIGHT [GROWTH]]`; the pattern is in double quotes if it holds blanks,
+/// LAYERS or GROWTH may be `auto` (asManyAsFit, fittingGrowth). Missing values are taken from `otherwise`. Throws Error
+/// that quotes the text.
 LayerRule layerRuleFrom(const std::string& text, const WallLayers& otherwise);
 
 /// Returns the layers of each tag: the surfaces, then the sides of the domain. The last rule that matches holds;

@@ -9,6 +9,7 @@
 #include "Mesher/Improvement/UnfoldFaces.h"
 #include "Mesher/LeaveOut.h"
 #include "Mesher/MeshPort.h"
+#include "Mesher/ThinLayers.h"
 #include "Optimize/Constraints/ModelConstraints.h"
 
 #include <algorithm>
@@ -235,11 +236,14 @@ ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, Me
   }
   const auto surfaceCount = static_cast<Index>(context.model.names.size());
   const bool onGround = isAnywhere(hasGround(given.mesh, surfaceCount), port.exchange());
-  const LayerOptions options = port.withBorder(layerOptionsOf(wallOptions, onGround, context));
+  LayerOptions whole = layerOptionsOf(wallOptions, onGround, context);
+  const ThinLayers thin = fitLayers(whole, port, context);
+  const LayerOptions options = port.withBorder(std::move(whole));
   const LayerWalls walls = prepareWalls(given, options, context);
   auto [layer, detached, failing, sizes] =
       improve(given, walls, options, wallOptions.curvedWalls, blocks, port, context);
   out.layers = reportLayers(layer, walls, sizes, options, context.model.names, port.part(given.mesh, layer));
+  out.layers.thin = thin;
   out.mesh = std::move(layer.mesh);
   out.detached = std::move(detached);
   port.takeLayer(std::move(given.mesh), std::move(layer));

@@ -24,6 +24,10 @@ void reportMesh(const MeshSources& sources, const std::vector<char>& metCellZone
   out.notes = grounded.report.notes;
   const std::vector<std::string> ofAudit = notesOf(out.audit, model.names, frame);
   out.notes.insert(out.notes.end(), ofAudit.begin(), ofAudit.end());
+  if (!out.layers.thin.note.empty())
+  {
+    out.notes.push_back(out.layers.thin.note);
+  }
   out.names = model.names;
   out.kinds = model.kinds;
   out.repair = model.repair;

@@ -159,6 +159,7 @@ void RankMesh::finish(ImprovedMesh improved, DualMeshResult& result, StageClock&
   takeByFace(improved.layers.counts, piece_.facesBefore, result.layers.counts);
   takeByFace(improved.layers.thicknesses, piece_.facesBefore, result.layers.thicknesses);
   result.layers.surfaces = std::move(improved.layers.surfaces);
+  result.layers.thin = std::move(improved.layers.thin);
   result.mesh = std::move(piece_.mesh);
   for (BoundaryFace& face : result.mesh.boundaryFaces)
   {

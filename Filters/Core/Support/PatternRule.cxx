@@ -3,13 +3,15 @@
 
 #include "Support/Error.h"
 
+#include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace atria {
 
 PatternRule patternRuleFrom(const std::string& text, std::size_t least, std::size_t most, const char* kind,
-                            const char* form)
+                            const char* form, bool allowsAuto)
 {
   std::istringstream in(text);
   PatternRule rule;
@@ -17,6 +19,11 @@ PatternRule patternRuleFrom(const std::string& text, std::size_t least, std::siz
   bool areNumbers = true;
   for (std::string word; in >> word;)
   {
+    if (allowsAuto && word == "auto")
+    {
+      rule.numbers.push_back(std::numeric_limits<double>::quiet_NaN());
+      continue;
+    }
     std::istringstream number(word);
     areNumbers = areNumbers && number >> rule.numbers.emplace_back() && number.eof();
   }
@@ -33,7 +40,8 @@ std::string textOf(const PatternRule& rule)
   out << std::setprecision(17) << std::quoted(rule.pattern);
   for (const double number : rule.numbers)
   {
-    out << ' ' << number;
+    out << ' ';
+    std::isnan(number) ? out << "auto" : out << number;
   }
   return out.str();
 }

@@ -94,8 +94,8 @@ ImproverStage curvedStage(const MeshTraits& traits, const CurvedWallTargets& wan
 /// part.
 std::array<ImproverStage, 2> closeStages(const MeshTraits& traits, const CurvedWallTargets& wanted);
 
-/// 7. What is valid is brought within the angles that solvers do well with. The limit rises in stages: held to the last
-/// one at once, cells that are far from it find no way there.
+/// 7. What is valid is brought within the angles that solvers do well with. The limit rises in two stages: held to the
+/// last one at once, cells that are far from it find no way there.
 std::vector<ImproverStage> straighteningStages(const MeshTraits& traits);
 /// Where faces stay beyond the largest angle, below its limit, vertices leave their surfaces by so many octants.
 QualityTargets targetsOfLargestAngle(const MeshTraits& traits);

@@ -17,7 +17,7 @@ MeshTraits traitsOf(const DualMesh& plain, const LayerOptions& options)
           .hasHeights = options.hasHeights(),
           .divided = options.isDivided(),
           .uniform = std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end(),
-          .flat = flatLayers(plain, options)};
+          .flat = options.flat};
 }
 
 ImproverState::ImproverState(const MeshingContext& meshingContext, const VertexClassification& given,

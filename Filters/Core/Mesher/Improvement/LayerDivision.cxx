@@ -2,6 +2,7 @@
 #include "Mesher/Improvement/LayerDivision.h"
 
 #include "Layer/BoundaryLayers.h"
+#include "Layer/LayerHeights.h"
 #include "Mesher/Improvement/LayerCells.h"
 #include "Optimize/Constraints/ChainConstraints.h"
 
@@ -13,6 +14,9 @@
 namespace atria {
 
 namespace {
+
+/// How many more layers a point may have than others of its wall faces, where some were taken away.
+constexpr Index greatestStep = 4;
 
 /// Marks the points of cells that are to lose layers: where they have different numbers, those with more. Settled
 /// points lose none.
@@ -119,7 +123,7 @@ void LayerDivision::run()
     flattenTops();
   }
   given_ = one_ = state_.layer;
-  wanted_ = counts_ = layersWanted(state_.plain, state_.walls, one_, state_.options);
+  wanted_ = counts_ = layersWanted(state_.walls, one_);
   held_.resize(one_.plainPoints);
   for (Index p = 0; p < one_.plainPoints; ++p)
   {
@@ -204,6 +208,33 @@ void LayerDivision::lower(const std::vector<ShortCell>& cells)
     {
       const Index loss = std::max<Index>(1, 2 * (wanted_[p] - counts_[p]));
       counts_[p] -= std::min(loss, counts_[p] - 1);
+    }
+  }
+  lowerNeighbors();
+}
+
+/// Takes layers away at points that have many more than others of their wall faces, so that no later round has to.
+void LayerDivision::lowerNeighbors()
+{
+  for (bool isLowered = true; isLowered;)
+  {
+    isLowered = false;
+    for (const Index f : one_.wallFaces)
+    {
+      const std::array<Index, 4> points = cornersOf(state_.plain, state_.plain.boundaryFaces[f]);
+      Index fewest = noIndex;
+      for (const Index p : points)
+      {
+        fewest = counts_[p] > 0 ? std::min(fewest, counts_[p]) : fewest;
+      }
+      for (const Index p : points)
+      {
+        if (fewest != noIndex && counts_[p] > fewest + greatestStep && !state_.walls.settled.stays(p))
+        {
+          counts_[p] = fewest + greatestStep;
+          isLowered = true;
+        }
+      }
     }
   }
 }

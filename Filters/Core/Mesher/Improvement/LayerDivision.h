@@ -24,6 +24,7 @@ private:
   std::vector<ShortCell> improve(const std::vector<char>& marked);
   std::optional<std::vector<char>> takeAway(const std::vector<ShortCell>& cells);
   void lower(const std::vector<ShortCell>& cells);
+  void lowerNeighbors();
   bool isHeld(const ShortCell& cell) const;
   void restore(const std::vector<ShortCell>& cells, const std::vector<Index>& counts, std::vector<char>& changed);
 

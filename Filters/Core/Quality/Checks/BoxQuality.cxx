@@ -15,6 +15,8 @@ namespace {
 /// Faces per cell to reserve memory for: those of a hexahedron, and some more for larger neighbors. Reserved memory
 /// that is not used takes no space.
 constexpr std::size_t facesOfCell = 4;
+/// Windows that a thread measures before their metrics are collected.
+constexpr std::size_t windowsOfThread = 4;
 
 bool areSound(const CellArrays& cells)
 {
@@ -60,41 +62,71 @@ void addPointsOfOthers(const CellArrays& cells, const CountedPart& part, std::ve
   }
 }
 
-/// Measures one window after the other and collects the metrics of its cells and faces.
-class WindowMetrics
+/// Metrics of a window's own cells and of the faces that count there.
+struct WindowMetrics
+{
+  QualityMetrics metrics;
+  std::size_t boundaryFaces = 0;
+};
+
+/// Measures windows.
+class WindowMeter
 {
 public:
-  WindowMetrics(const RegularBoxes& regularBoxes, const CountedPart* countedPart, QualityMetrics& target)
-      : boxes(regularBoxes), part(countedPart), out(target)
+  WindowMeter(const CellWindows& cellWindows, const RegularBoxes& regularBoxes, const CountedPart* countedPart)
+      : windows(cellWindows), boxes(regularBoxes), part(countedPart)
   {
-    const auto others = static_cast<std::size_t>(std::ranges::count(boxes.isRegular, 0));
-    std::ranges::for_each(cellMetrics, [&](QualityList metric) { (out.*metric).reserve(others); });
-    std::ranges::for_each(faceMetrics, [&](QualityList metric) { (out.*metric).reserve(facesOfCell * others); });
-    out.valid.reserve(others);
   }
 
-  /// Adds the metrics of a window. Returns false if a requested face is missing or exists twice.
-  bool add(const CellWindow& window, const RunContext& context)
+  /// Returns nullopt if a requested face is missing or exists twice.
+  std::optional<WindowMetrics> measure(std::size_t number) const
   {
-    const FaceMesh& mesh = window.mesh();
-    if (!window.hasAskedFaces(context.executor))
+    const CellWindow window = windows.window(number);
+    if (!window.hasAskedFaces())
     {
-      return false;
+      return std::nullopt;
     }
-    const QualityMetrics some = computeQuality(mesh, window.arrays(), context);
+    SilentMonitor silent;
+    const SerialExecutor serial;
+    const QualityMetrics all =
+        computeQuality(window.mesh(), window.arrays(), RunContext{serial, ProgressRange(silent)});
+    WindowMetrics out;
+    takeCells(window, all, out);
+    takeFaces(window, all, out);
+    return out;
+  }
+
+  /// True if the number of counted boundary faces equals the number of patch faces of own cells.
+  bool areThePatches(std::size_t boundaryFaces, const AskedFaces& asked) const
+  {
+    return boundaryFaces == static_cast<std::size_t>(std::ranges::count_if(
+                                asked.patches, [&](const BoundaryFaceKey& face) { return isOwn(face.cell); }));
+  }
+
+private:
+  bool isOwn(std::size_t cell) const { return !part || part->isOwn[cell]; }
+
+  void takeCells(const CellWindow& window, const QualityMetrics& all, WindowMetrics& out) const
+  {
     for (std::size_t i = 0; i < window.cells().size(); ++i)
     {
       const Index cell = window.cells()[i];
-      if (window.isOwn(i) && !boxes.isRegular[cell])
+      if (!window.isOwn(i) || boxes.isRegular[cell])
       {
-        for (const QualityList metric : cellMetrics)
-        {
-          (out.*metric).push_back((some.*metric)[i]);
-        }
-        out.valid.push_back(some.valid[i]);
-        out.invalidCells += some.valid[i] || !isOwn(cell) ? 0 : 1;
+        continue;
       }
+      for (const QualityList metric : cellMetrics)
+      {
+        (out.metrics.*metric).push_back((all.*metric)[i]);
+      }
+      out.metrics.valid.push_back(all.valid[i]);
+      out.metrics.invalidCells += all.valid[i] || !isOwn(cell) ? 0 : 1;
     }
+  }
+
+  void takeFaces(const CellWindow& window, const QualityMetrics& all, WindowMetrics& out) const
+  {
+    const FaceMesh& mesh = window.mesh();
     for (std::size_t f = 0; f < mesh.faceCount(); ++f)
     {
       if (!window.isOwn(mesh.owner[f]) || !isMeasured(window, f) || !isCounted(window, f))
@@ -103,25 +135,14 @@ public:
       }
       for (const QualityList metric : faceMetrics)
       {
-        if (f < (some.*metric).size())
+        if (f < (all.*metric).size())
         {
-          (out.*metric).push_back((some.*metric)[f]);
+          (out.metrics.*metric).push_back((all.*metric)[f]);
         }
       }
-      boundaryFaces += f < mesh.internalFaceCount() ? 0 : 1;
+      out.boundaryFaces += f < mesh.internalFaceCount() ? 0 : 1;
     }
-    return true;
   }
-
-  /// True if the number of counted boundary faces equals the number of patch faces of own cells.
-  bool patchesAreTheBoundary(const AskedFaces& asked) const
-  {
-    return boundaryFaces == static_cast<std::size_t>(std::ranges::count_if(
-                                asked.patches, [&](const BoundaryFaceKey& face) { return isOwn(face.cell); }));
-  }
-
-private:
-  bool isOwn(std::size_t cell) const { return !part || part->isOwn[cell]; }
 
   bool isCounted(const CellWindow& window, std::size_t f) const
   {
@@ -141,29 +162,53 @@ private:
            std::ranges::all_of(mesh.face(f), [&](Index p) { return boxes.isTouched[window.pointOf(p)] != 0; });
   }
 
+  const CellWindows& windows;
   const RegularBoxes& boxes;
   const CountedPart* part;
-  QualityMetrics& out;
-  std::size_t boundaryFaces = 0;
 };
 
-/// Measures all windows. Returns false if faces are wrong.
-bool measure(CellWindows& windows, const AskedFaces& asked, const RegularBoxes& boxes, const CountedPart* part,
+void append(const QualityMetrics& some, QualityMetrics& out)
+{
+  const auto appendAll = [&](const auto& lists) {
+    for (const QualityList metric : lists)
+    {
+      (out.*metric).insert((out.*metric).end(), (some.*metric).begin(), (some.*metric).end());
+    }
+  };
+  appendAll(cellMetrics);
+  appendAll(faceMetrics);
+  out.valid.insert(out.valid.end(), some.valid.begin(), some.valid.end());
+  out.invalidCells += some.invalidCells;
+}
+
+/// Measures all windows, some at a time on several threads, and collects their metrics in order. Returns false if faces
+/// are wrong.
+bool measure(const CellWindows& windows, const AskedFaces& asked, const RegularBoxes& boxes, const CountedPart* part,
              QualityMetrics& out, const RunContext& context)
 {
-  WindowMetrics metrics(boxes, part, out);
-  const double share = 1.0 / static_cast<double>(std::max<std::size_t>(windows.count(), 1));
-  for (std::size_t i = 0; i < windows.count(); ++i)
+  const auto others = static_cast<std::size_t>(std::ranges::count(boxes.isRegular, 0));
+  std::ranges::for_each(cellMetrics, [&](QualityList metric) { (out.*metric).reserve(others); });
+  std::ranges::for_each(faceMetrics, [&](QualityList metric) { (out.*metric).reserve(facesOfCell * others); });
+  out.valid.reserve(others);
+  const WindowMeter meter(windows, boxes, part);
+  std::size_t boundaryFaces = 0;
+  const std::size_t atOnce = windowsOfThread * static_cast<std::size_t>(context.executor.threads());
+  for (std::size_t first = 0; first < windows.count(); first += atOnce)
   {
-    const double done = share * static_cast<double>(i);
-    context.progress.report(done, "Finding faces");
-    const CellWindow window = windows.window(i, context.executor);
-    if (!metrics.add(window, context.part(done + 0.3 * share, done + share)))
+    context.progress.report(static_cast<double>(first) / static_cast<double>(windows.count()), "Judging elements");
+    std::vector<std::optional<WindowMetrics>> some(std::min(atOnce, windows.count() - first));
+    context.executor.forEach(some.size(), 1, [&](std::size_t i) { some[i] = meter.measure(first + i); });
+    for (const std::optional<WindowMetrics>& one : some)
     {
-      return false;
+      if (!one)
+      {
+        return false;
+      }
+      append(one->metrics, out);
+      boundaryFaces += one->boundaryFaces;
     }
   }
-  return !asked.patchesAreTheBoundary || metrics.patchesAreTheBoundary(asked);
+  return !asked.patchesAreTheBoundary || meter.areThePatches(boundaryFaces, asked);
 }
 
 } // namespace
@@ -191,7 +236,7 @@ std::optional<QualityByBoxes> computeQualityByBoxes(std::span<const Vec3> points
   QualityByBoxes out;
   try
   {
-    CellWindows windows(points, cells, boxes.measured, asked, length, context.executor);
+    const CellWindows windows(points, cells, boxes.measured, asked, length, context.executor);
     if (!measure(windows, asked, boxes, part, out.metrics, context.part(0.2, 1.0)))
     {
       return std::nullopt;

@@ -9,8 +9,8 @@
 
 namespace atria {
 
-/// Number of cells that are measured at once: some 80 MB with the cells around them.
-inline constexpr std::size_t measuredAtOnce = 131072;
+/// Number of cells that a thread measures at once. With the cells around them they fit into its cache.
+inline constexpr std::size_t measuredAtOnce = 8192;
 
 /// Faces that a mesh must have.
 struct AskedFaces
@@ -51,9 +51,9 @@ struct QualityByBoxes
   QualityMetrics metrics;
 };
 
-/// Measures cells that are not regular boxes in windows of `length` to twice as many cells (CellWindow.h), which limits
-/// the memory for faces and geometry. Returns nullopt if this saves nothing, because most cells must be measured and do
-/// not fill two windows; a part is measured in any case. Also returns nullopt if cells or faces are wrong;
+/// Measures cells that are not regular boxes in windows of `length` to twice as many cells (CellWindow.h), each on one
+/// thread. Returns nullopt if this saves nothing, because most cells must be measured and do not fill two windows; a
+/// part is measured in any case. Also returns nullopt if cells or faces are wrong;
 /// makeFaceMesh() of the whole mesh reports the error. In a part, points of cells that are not its own make cells
 /// irregular, and faces of patches must be the boundary of own cells. The result has the same bits for any number of
 /// threads. Throws Aborted when asked to.

@@ -74,23 +74,20 @@ std::vector<BoundaryFaceKey> CellWindow::Faces::keys() const
   return out;
 }
 
-bool CellWindow::hasAskedFaces(const Executor& executor) const
+bool CellWindow::hasAskedFaces() const
 {
-  return haveAll(*this, patches_.cells, findBoundaryFaces(mesh_, patches_.keys(), executor)) &&
-         haveAll(*this, zones_.cells, findInternalFaces(mesh_, zones_.keys(), zones_.neighbors, executor));
+  return haveAll(*this, patches_.cells, findBoundaryFaces(mesh_, patches_.keys())) &&
+         haveAll(*this, zones_.cells, findInternalFaces(mesh_, zones_.keys(), zones_.neighbors));
 }
 
 CellWindows::CellWindows(std::span<const Vec3> points, const CellArrays& cells, std::span<const Index> chosen,
                          const AskedFaces& asked, std::size_t length, const Executor& executor)
     : points_(points), cells_(cells), chosen_(chosen), asked_(asked),
       count_(chosen.empty() ? 0 : std::max<std::size_t>(chosen.size() / length, 1)),
-      patchesOf_(byCell(asked.patches, cells.types.size())), zonesOf_(byCell(asked.zones, cells.types.size())),
-      newPoint_(points.size())
+      patchesOf_(byCell(asked.patches, cells.types.size())), zonesOf_(byCell(asked.zones, cells.types.size()))
 {
-  executor.forEach(points.size(), grain, [&](std::size_t p) { newPoint_[p] = noIndex; });
   if (count_ > 1)
   {
-    isTaken_.resize(cells.types.size(), 0);
     cellsAt_ = fillBuckets(points.size(), executor, [&](auto&& use) {
       executor.forEach(chosen.size(), grain, [&](std::size_t i) {
         forPoints(cells, chosen[i], points.size(), [&](Index p) { use(p, chosen[i]); });
@@ -99,33 +96,33 @@ CellWindows::CellWindows(std::span<const Vec3> points, const CellArrays& cells, 
   }
 }
 
-CellWindow CellWindows::window(std::size_t number, const Executor& executor)
+CellWindow CellWindows::window(std::size_t number) const
 {
   CellWindow out;
   gatherCells(number, out);
-  renumberPoints(out);
-  takeFaces(patchesOf_, asked_.patches, {}, out.patches_, out);
-  takeFaces(zonesOf_, asked_.zones, asked_.neighbors, out.zones_, out);
+  Numbering numbers(2 * out.cells_.size());
+  copyCells(out, numbers);
+  takeFaces(patchesOf_, asked_.patches, {}, out.patches_, out, numbers);
+  takeFaces(zonesOf_, asked_.zones, asked_.neighbors, out.zones_, out, numbers);
   std::vector<Vec3> points(out.points_.size());
-  executor.forEach(points.size(), grain, [&](std::size_t p) { points[p] = points_[out.points_[p]]; });
-  std::ranges::for_each(out.points_, [&](Index p) { newPoint_[p] = noIndex; });
-  out.mesh_ = makeFaceMesh(std::move(points), out.arrays(), out.patches_.keys(), executor);
+  std::ranges::transform(out.points_, points.begin(), [&](Index p) { return points_[p]; });
+  out.mesh_ = makeFaceMesh(std::move(points), out.arrays(), out.patches_.keys());
   return out;
 }
 
 /// Collects the window's own cells and the cells around them.
-void CellWindows::gatherCells(std::size_t number, CellWindow& out)
+void CellWindows::gatherCells(std::size_t number, CellWindow& out) const
 {
   const std::size_t first = number * chosen_.size() / count_;
   const std::span<const Index> own = chosen_.subspan(first, (number + 1) * chosen_.size() / count_ - first);
   out.firstOwn_ = own.front();
   out.lastOwn_ = own.back();
   std::vector<Index> about;
+  Numbering found(own.size());
   const auto take = [&](Index cell) {
-    if ((cell < out.firstOwn_ || cell > out.lastOwn_) && !isTaken_[cell])
+    if (cell < out.firstOwn_ || cell > out.lastOwn_)
     {
-      isTaken_[cell] = 1;
-      about.push_back(cell);
+      found.findOrAdd(cell, about);
     }
   };
   for (std::size_t i = 0; i < own.size() && count_ > 1; ++i)
@@ -133,26 +130,19 @@ void CellWindows::gatherCells(std::size_t number, CellWindow& out)
     forPoints(cells_, own[i], points_.size(), [&](Index p) { std::ranges::for_each(cellsAt_.of(p), take); });
   }
   std::ranges::sort(about);
-  std::ranges::for_each(about, [&](Index cell) { isTaken_[cell] = 0; });
   out.cells_.resize(own.size() + about.size());
   std::ranges::merge(own, about, out.cells_.begin());
 }
 
 /// Copies the arrays of the cells, and numbers their points in the order in which they come.
-void CellWindows::renumberPoints(CellWindow& out)
+void CellWindows::copyCells(CellWindow& out, Numbering& numbers) const
 {
   const auto numberOf = [&](std::int64_t point) {
     if (point < 0 || static_cast<std::size_t>(point) >= points_.size())
     {
       throw Error("a cell has a point that the mesh does not have");
     }
-    Index& number = newPoint_[static_cast<std::size_t>(point)];
-    if (number == noIndex)
-    {
-      number = static_cast<Index>(out.points_.size());
-      out.points_.push_back(static_cast<Index>(point));
-    }
-    return static_cast<std::int64_t>(number);
+    return static_cast<std::int64_t>(numbers.findOrAdd(static_cast<Index>(point), out.points_));
   };
   for (const Index c : out.cells_)
   {
@@ -161,11 +151,7 @@ void CellWindows::renumberPoints(CellWindow& out)
               [&](Index p) { out.connectivity_.push_back(static_cast<std::int32_t>(numberOf(p))); });
     out.offsets_.push_back(static_cast<std::int64_t>(out.connectivity_.size()));
     out.faceLocations_.push_back(static_cast<std::int64_t>(out.faceStream_.size()));
-    if (cells_.types[c] != polyhedronCell)
-    {
-      continue;
-    }
-    if (!appendFaces(cells_.faces, c, numberOf, out.faceStream_))
+    if (cells_.types[c] == polyhedronCell && !appendFaces(cells_.faces, c, numberOf, out.faceStream_))
     {
       throw Error("a polyhedron has no complete list of faces");
     }
@@ -174,7 +160,8 @@ void CellWindows::renumberPoints(CellWindow& out)
 
 /// Takes the faces of a window's cells. Points that the window does not have get the number after its last point.
 void CellWindows::takeFaces(const Buckets& ofCell, std::span<const BoundaryFaceKey> faces,
-                            std::span<const Index> neighbors, CellWindow::Faces& to, const CellWindow& window) const
+                            std::span<const Index> neighbors, CellWindow::Faces& to, const CellWindow& window,
+                            const Numbering& numbers) const
 {
   for (std::size_t cell = 0; cell < window.cells_.size(); ++cell)
   {
@@ -184,7 +171,7 @@ void CellWindows::takeFaces(const Buckets& ofCell, std::span<const BoundaryFaceK
       for (const std::int64_t p : faces[f].points)
       {
         const bool exists = p >= 0 && static_cast<std::size_t>(p) < points_.size();
-        const Index number = exists ? newPoint_[static_cast<std::size_t>(p)] : noIndex;
+        const Index number = exists ? numbers.of(static_cast<Index>(p)) : noIndex;
         to.points.push_back(number == noIndex ? static_cast<std::int64_t>(window.points_.size()) : number);
       }
       to.offsets.push_back(to.points.size());

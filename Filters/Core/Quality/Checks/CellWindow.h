@@ -4,6 +4,7 @@
 
 #include "Quality/Checks/BoxQuality.h"
 #include "Support/Buckets.h"
+#include "Support/Numbering.h"
 
 namespace atria {
 
@@ -23,7 +24,7 @@ public:
     return {types_, offsets_, connectivity_, PolyhedronFaces::Stream(faceStream_, faceLocations_)};
   }
   /// True if all requested faces of its own cells exist, and no requested face exists twice.
-  bool hasAskedFaces(const Executor& executor) const;
+  bool hasAskedFaces() const;
 
 private:
   friend class CellWindows;
@@ -63,25 +64,24 @@ public:
               const AskedFaces& asked, std::size_t length, const Executor& executor);
 
   std::size_t count() const { return count_; }
-  /// Makes a window. Throws Error as makeFaceMesh() does, but with the window's numbers of cells and points.
-  CellWindow window(std::size_t number, const Executor& executor);
+  /// Makes a window; may be called on several threads. Throws Error as makeFaceMesh() does, but with the window's
+  /// numbers of cells and points.
+  CellWindow window(std::size_t number) const;
 
 private:
-  void gatherCells(std::size_t number, CellWindow& out);
-  void renumberPoints(CellWindow& out);
+  void gatherCells(std::size_t number, CellWindow& out) const;
+  void copyCells(CellWindow& out, Numbering& numbers) const;
   void takeFaces(const Buckets& ofCell, std::span<const BoundaryFaceKey> faces, std::span<const Index> neighbors,
-                 CellWindow::Faces& to, const CellWindow& window) const;
+                 CellWindow::Faces& to, const CellWindow& window, const Numbering& numbers) const;
 
   std::span<const Vec3> points_;
   const CellArrays& cells_;
   std::span<const Index> chosen_;
   const AskedFaces& asked_;
   std::size_t count_;
-  Buckets cellsAt_;           ///< one entry per point: the chosen cells that have it
-  Buckets patchesOf_;         ///< one entry per cell
-  Buckets zonesOf_;           ///< one entry per cell
-  Buffer<Index> newPoint_;    ///< numbers in the window that is being made; else noIndex
-  std::vector<char> isTaken_; ///< one entry per cell, while a window is made
+  Buckets cellsAt_;   ///< one entry per point: the chosen cells that have it
+  Buckets patchesOf_; ///< one entry per cell
+  Buckets zonesOf_;   ///< one entry per cell
 };
 
 } // namespace atria

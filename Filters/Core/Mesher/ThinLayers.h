@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Completes layers with a first height, and finds those that are too thin for checks of checkMesh.
+#pragma once
+
+#include "Layer/LayerReport.h"
+#include "Layer/LayerWalls.h"
+#include "Mesher/MeshPort.h"
+#include "Octree/Tree/MeshingContext.h"
+
+namespace atria {
+
+/// Completes requested layers with a first height by the sizes of the elements beside them (fitted()), and sets what
+/// they have at best (LayerOptions::flat). Returns which checks fail on any wall with such heights, and a note on them.
+/// All processes get the same. Does nothing if no first height is requested.
+ThinLayers fitLayers(LayerOptions& options, const MeshPort& port, const MeshingContext& context);
+
+} // namespace atria
