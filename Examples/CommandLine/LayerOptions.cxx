@@ -3,7 +3,6 @@
 
 #include "Commands.h"
 #include "Numbers.h"
-#include "Support/PatternRule.h"
 
 #include <vtkAtriaDualMesher.h>
 #include <vtkNew.h>
@@ -11,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <sstream>
 
@@ -39,6 +39,19 @@ std::vector<double> numbersFrom(const std::string& text, std::size_t most)
     numbers.push_back(number);
   }
   return numbers;
+}
+
+/// Returns the rule as vtkAtriaDualMesher::AddLayerRule takes it.
+std::string ruleOf(const std::string& pattern, const std::vector<double>& numbers)
+{
+  std::ostringstream rule;
+  rule << std::setprecision(17) << std::quoted(pattern);
+  for (const double number : numbers)
+  {
+    rule << ' ';
+    std::isnan(number) ? rule << "auto" : rule << number;
+  }
+  return rule.str();
 }
 
 } // namespace
@@ -117,7 +130,7 @@ void configureLayers(vtkAtriaDualMesher* mesher, const LayerOptions& options)
     }
     else
     {
-      mesher->AddLayerRule(textOf(PatternRule{text.substr(0, equals), numbers}).c_str());
+      mesher->AddLayerRule(ruleOf(text.substr(0, equals), numbers).c_str());
     }
   }
 }
