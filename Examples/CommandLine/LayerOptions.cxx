@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <limits>
@@ -41,16 +42,12 @@ std::vector<double> numbersFrom(const std::string& text, std::size_t most)
   return numbers;
 }
 
-/// Returns the rule as vtkAtriaDualMesher::AddLayerRule takes it.
-std::string ruleOf(const std::string& pattern, const std::vector<double>& numbers)
+/// Returns the rule as vtkAtriaDualMesher::AddLayerRule takes it. `numbers` has colons between them.
+std::string ruleOf(const std::string& pattern, std::string numbers)
 {
+  std::ranges::replace(numbers, ':', ' ');
   std::ostringstream rule;
-  rule << std::setprecision(17) << std::quoted(pattern);
-  for (const double number : numbers)
-  {
-    rule << ' ';
-    std::isnan(number) ? rule << "auto" : rule << number;
-  }
+  rule << std::quoted(pattern) << ' ' << numbers;
   return rule.str();
 }
 
@@ -66,11 +63,12 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
   options.skewness = filter->GetTargetSkewness();
   options.blockSize = filter->GetBlockSize();
   command
-      .add_option("--layers", options.layers,
-                  "Layers of elements on all surfaces, or on those whose name matches the pattern (* and ? stand for "
-                  "text) and on domain sides of that name; may be repeated, the last that matches holds (default: 1). "
-                  "With FIRST, N or GROWTH may be 'auto': so "
-                  "that the outermost layer is as high as the elements beside it")
+      .add_option(
+          "--layers", options.layers,
+          "Layers of elements on all surfaces, or on those whose name matches the pattern (* and ? stand for "
+          "text) and on domain sides of that name; may be repeated, the last that matches holds (default: 1). "
+          "With FIRST, N or GROWTH may be 'auto': so that the outermost layer is as high as what is left of the "
+          "elements beside it")
       ->allow_extra_args(false)
       ->type_name("N|PATTERN=N[:FIRST[:GROWTH]]");
   command.add_flag("--no-support", options.withoutSupport,
@@ -130,7 +128,7 @@ void configureLayers(vtkAtriaDualMesher* mesher, const LayerOptions& options)
     }
     else
     {
-      mesher->AddLayerRule(ruleOf(text.substr(0, equals), numbers).c_str());
+      mesher->AddLayerRule(ruleOf(text.substr(0, equals), text.substr(equals + 1)).c_str());
     }
   }
 }

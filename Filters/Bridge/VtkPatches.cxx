@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Patches and diagnostics of VtkDualMesh.h.
 #include "AddArray.h"
+#include "Layer/LayerRules.h"
 #include "VtkDualMesh.h"
 
 #include <vtkCellArray.h>
@@ -60,7 +61,7 @@ std::vector<Patch> sortFaces(const DualMesh& mesh, const std::vector<MetSides>& 
     const std::size_t tag = i / 2;
     if (met[tag].hasBoundary() && (i % 2 == 0 || isTwoSided(tag)))
     {
-      const std::string name = tag < names.size() ? names[tag] : sideName(static_cast<Index>(tag - names.size()));
+      const std::string name = tagName(static_cast<Index>(tag), names);
       const char* side = isTwoSided(tag) ? (i % 2 == 0 ? "_front" : "_back") : "";
       patches[i].name = uniqueName(name + side, taken);
     }

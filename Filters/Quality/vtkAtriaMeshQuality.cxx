@@ -347,7 +347,7 @@ std::optional<int> vtkAtriaMeshQuality::MeasurePieces(vtkInformationVector** inp
   {
     return std::nullopt; // a property is wrong, which is the same on all ranks; the first one reports it
   }
-  run.context.progress.report(1.0, "Quality known");
+  this->UpdateProgress(1.0); // nobody may leave now
   return 1;
 }
 

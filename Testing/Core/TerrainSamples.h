@@ -2,6 +2,7 @@
 /// Random numbers, surfaces of filled cells and areas of triangles, for tests of models on their ground.
 #pragma once
 
+#include "Random.h"
 #include "Support/Shapes.h"
 
 #include <Eigen/Geometry>
@@ -10,23 +11,10 @@
 #include <array>
 #include <functional>
 #include <numeric>
-#include <random>
 #include <string>
 #include <vector>
 
 namespace atria::testing {
-
-/// Draws numbers.
-class Random
-{
-public:
-  explicit Random(unsigned seed) : engine(seed) {}
-  double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); }
-  std::size_t below(std::size_t end) { return engine() % end; }
-
-private:
-  std::mt19937 engine;
-};
 
 inline std::vector<Index> allTriangles(const TriangleSurface& surface)
 {

@@ -29,7 +29,7 @@ GridOptions someOptions(Random& random)
   options.sizeMin = std::exp2(random.in(-3.0, 3.0));
   options.sizeMid = options.sizeMin * random.in(1.0, 9.0);
   options.sizeMax = options.sizeMid * random.in(1.0, 50.0);
-  options.startLevel = static_cast<int>(random.in(std::int64_t{-1}, std::int64_t{9}));
+  options.startLevel = static_cast<int>(random.whole(-1, 9));
   options.finestAsked = random.in(0.0, 1.0) < 0.4 ? infinity : options.sizeMin * random.in(0.05, 1.5);
   options.domain.min = random.vector(100.0);
   const Vec3 octants(std::exp2(random.in(1.01, 7.0)), std::exp2(random.in(1.01, 7.0)), std::exp2(random.in(1.01, 7.0)));
@@ -198,7 +198,7 @@ TEST(MadeFrame, HasUpperPlanesThroughCentersWhereTheDomainIsAMultiple)
   for (int round = 0; round < 60; ++round)
   {
     GridOptions options;
-    options.sizeMin = 0.1 * static_cast<double>(random.in(std::int64_t{1}, std::int64_t{9}));
+    options.sizeMin = 0.1 * static_cast<double>(random.whole(1, 9));
     options.sizeMid = options.sizeMax = 2.0 * options.sizeMin;
     options.domain.min = random.vector(100.0);
     LatticePoint octants = random.point(3, 70);

@@ -111,14 +111,7 @@ TEST_F(Layers, FollowTheRules)
   const double asked = 0.01 * (1.0 + 1.5 + 2.25);
   EXPECT_LT(rangeOf("Screen_front", "LayerThickness")[1], 1.5 * asked);
   EXPECT_GT(rangeOf("Screen_front", "LayerThickness")[1], 0.01);
-  vtkDataArray* heights = namedPatches().at("Building")->GetCellData()->GetArray("LayerThickness");
-  vtkIdType exact = 0;
-  for (vtkIdType f = 0; f < heights->GetNumberOfTuples(); ++f)
-  {
-    exact += std::abs(heights->GetTuple1(f) - 0.02 * 2.2) < 1e-9 ? 1 : 0;
-  }
-  EXPECT_GT(exact, 0.8 * static_cast<double>(heights->GetNumberOfTuples()));
-  EXPECT_LT(rangeOf("Building", "LayerThickness")[1], 1.1 * 0.02 * 2.2);
+  EXPECT_NEAR(rangeOf("Building", "LayerThickness")[1], 0.02 * 2.2, 1e-9);
   EXPECT_EQ(rangeOf("zMin", "LayerCount")[1], 1.0);
   auto* names = vtkStringArray::SafeDownCast(diagnostics()->GetFieldData()->GetAbstractArray("LayerSurface"));
   ASSERT_EQ(names->GetNumberOfValues(), 3);

@@ -12,6 +12,8 @@ namespace {
 
 /// Least part of the size of the elements beside a wall that they keep above the layers.
 constexpr double leastAbove = 0.25;
+/// Part of the faces of a tag that are taken to be as large as the largest of them.
+constexpr double mostFaces = 0.9;
 
 /// Returns the corner volume of a box with a square base; a cube has 1.
 double cornerVolumeOf(double height, double size)
@@ -58,6 +60,31 @@ FlatLayers flatLayers(const WallLayers& layers, double size)
                                  : determinantOf(first, size, true);
   out.determinantRoot = std::sqrt(std::sqrt(determinant));
   out.cornerVolumeOfAll = cornerVolumeOf(all, size);
+  return out;
+}
+
+FlatLayers flatLayers(const DualMesh& mesh, const LayerOptions& options)
+{
+  std::vector<std::vector<double>> sizes(options.ofTag.size());
+  for (const BoundaryFace& face : mesh.boundaryFaces)
+  {
+    const WallLayers& layers = options.ofTag[face.tag];
+    if (layers.layers > 0 && layers.firstHeight > 0.0)
+    {
+      sizes[face.tag].push_back(std::sqrt(wallNormal(mesh, face).norm()));
+    }
+  }
+  FlatLayers out;
+  for (std::size_t tag = 0; tag < sizes.size(); ++tag)
+  {
+    std::vector<double>& ofTag = sizes[tag];
+    const auto largest = ofTag.begin() + static_cast<std::ptrdiff_t>(mostFaces * static_cast<double>(ofTag.size()));
+    if (largest != ofTag.end())
+    {
+      std::nth_element(ofTag.begin(), largest, ofTag.end());
+      out.lower(flatLayers(options.ofTag[tag], *largest));
+    }
+  }
   return out;
 }
 

@@ -2,7 +2,8 @@
 /// Measures of cells that follow from the heights of layers alone.
 #pragma once
 
-#include "Layer/LayerRules.h"
+#include "Dual/Mesh/DualMesh.h"
+#include "Layer/LayerWalls.h"
 
 #include <limits>
 
@@ -24,7 +25,11 @@ struct FlatLayers
   void lower(const FlatLayers& other);
 };
 
-/// Returns the measures of layers with a first height beside cubes of edge length `size`.
+/// Returns the measures of layers on cubes of edge length `size`.
 FlatLayers flatLayers(const WallLayers& layers, double size);
+
+/// Returns the lowest measures over all faces of a mesh whose tags have layers with a given height, except on the
+/// largest tenth of the faces of each tag.
+FlatLayers flatLayers(const DualMesh& mesh, const LayerOptions& options);
 
 } // namespace atria

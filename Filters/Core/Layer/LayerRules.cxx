@@ -41,7 +41,7 @@ LayerRule layerRuleFrom(const std::string& text, const WallLayers& otherwise)
   LayerRule rule{parsed.pattern, otherwise};
   const std::vector<double>& numbers = parsed.numbers;
   const bool anyNumber = std::isnan(numbers[0]);
-  if (!anyNumber && (numbers[0] != std::floor(numbers[0]) || std::abs(numbers[0]) > 1e6 || numbers[0] < 0.0))
+  if (!anyNumber && (numbers[0] != std::floor(numbers[0]) || std::abs(numbers[0]) > 1e6))
   {
     throw Error("the layer rule '" + text + "' is not of the form " + form + ": LAYERS is a whole number or 'auto'");
   }
@@ -49,9 +49,15 @@ LayerRule layerRuleFrom(const std::string& text, const WallLayers& otherwise)
   rule.layers.firstHeight = numbers.size() > 1 ? numbers[1] : otherwise.firstHeight;
   rule.layers.growth = numbers.size() < 3       ? otherwise.growth
                        : std::isnan(numbers[2]) ? WallLayers::fittingGrowth
-                                                : std::max(numbers[2], 0.0);
+                                                : numbers[2];
   checkRule(rule);
   return rule;
+}
+
+std::string tagName(Index tag, const std::vector<std::string>& surfaceNames)
+{
+  const auto surfaces = static_cast<Index>(surfaceNames.size());
+  return tag < surfaces ? surfaceNames[tag] : sideName(tag - surfaces);
 }
 
 std::vector<WallLayers> resolveLayerRules(const std::vector<LayerRule>& rules,

@@ -4,6 +4,7 @@
 
 #include "Grid/Prism.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,8 @@ namespace atria {
 struct WallLayers
 {
   /// In place of numbers that follow from the elements beside the wall; see fitted() in LayerHeights.h.
-  static constexpr int asManyAsFit = -1;
-  static constexpr double fittingGrowth = -1.0;
+  static constexpr int asManyAsFit = std::numeric_limits<int>::max();
+  static constexpr double fittingGrowth = std::numeric_limits<double>::infinity();
 
   /// Layers of elements, 0 to 100; 0 for none.
   int layers = 0;
@@ -37,6 +38,9 @@ struct LayerRule
 /// LAYERS or GROWTH may be `auto` (asManyAsFit, fittingGrowth). Missing values are taken from `otherwise`. Throws Error
 /// that quotes the text.
 LayerRule layerRuleFrom(const std::string& text, const WallLayers& otherwise);
+
+/// Returns the name of a tag: of a surface, or of a side of the domain, whose numbers follow those of the surfaces.
+std::string tagName(Index tag, const std::vector<std::string>& surfaceNames);
 
 /// Returns the layers of each tag: the surfaces, then the sides of the domain. The last rule that matches holds;
 /// without one there are no layers. Throws Error for numbers out of range, and for a pattern other than `*` that

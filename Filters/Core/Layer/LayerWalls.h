@@ -3,7 +3,6 @@
 #pragma once
 
 #include "Layer/BoundaryGraph.h"
-#include "Layer/FlatLayers.h"
 #include "Layer/LayerRules.h"
 #include "Layer/SettledPoints.h"
 
@@ -23,8 +22,8 @@ struct LayerOptions
 {
   /// One entry per tag; see resolveLayerRules and fitted().
   std::vector<WallLayers> ofTag;
-  /// The lowest measures that layers with a first height have anywhere.
-  FlatLayers flat;
+  /// True if determinants of cells fail on all walls with a first height, as layers are as thin as requested.
+  bool failsDeterminants = false;
   /// Normals of the domain's sides by number, unit vectors; along the axes unless the domain is turned.
   std::vector<Vec3> sideNormals{-Vec3::UnitX(), Vec3::UnitX(),  -Vec3::UnitY(),
                                 Vec3::UnitY(),  -Vec3::UnitZ(), Vec3::UnitZ()};
@@ -57,8 +56,7 @@ struct LayerOptions
   /// True if layers with a first height are requested anywhere.
   bool hasHeights() const
   {
-    return std::ranges::any_of(ofTag,
-                               [](const WallLayers& wall) { return wall.layers != 0 && wall.firstHeight > 0.0; });
+    return std::ranges::any_of(ofTag, [](const WallLayers& wall) { return wall.layers > 0 && wall.firstHeight > 0.0; });
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/ThinLayers.h"
 
+#include "Layer/FlatLayers.h"
 #include "Layer/LayerHeights.h"
 #include "Layer/TypicalSizes.h"
 #include "Quality/Checks/CheckLimits.h"
@@ -27,6 +28,11 @@ struct Wall
   double jump() const { return size / lastHeight(); }
 };
 
+bool failsDeterminant(const FlatLayers& flat)
+{
+  return flat.determinantRoot < std::sqrt(std::sqrt(checkLimits::determinant));
+}
+
 /// Returns the names of the checks that fail on a flat wall with these measures.
 std::vector<std::string> failingOn(const FlatLayers& flat)
 {
@@ -37,24 +43,32 @@ std::vector<std::string> failingOn(const FlatLayers& flat)
       names.push_back(name);
     }
   };
-  add(flat.determinantRoot < std::sqrt(std::sqrt(checkLimits::determinant)), "Determinant");
+  add(failsDeterminant(flat), "Determinant");
   add(flat.weight < checkLimits::faceWeight, "FaceWeight");
   add(flat.volumeRatio < checkLimits::volumeRatio, "VolumeRatio");
   return names;
 }
 
-std::string nameOf(Index tag, const std::vector<std::string>& names)
+/// Says what would pass checks in place of layers. Only a height of their own helps thin elements, and only as many as
+/// grow to the size of the elements beside them help those.
+std::string adviceOn(const WallLayers& layers, double size, const std::vector<std::string>& checks)
 {
-  return tag < names.size() ? names[tag] : sideName(tag - static_cast<Index>(names.size()));
+  WallLayers more = layers;
+  more.layers = WallLayers::asManyAsFit;
+  const std::string enough = std::to_string(fitted(more, size).layers) + " layers";
+  const bool areLow = checks.front() == "Determinant";
+  const bool jump = checks.back() != "Determinant";
+  return "ask for " +
+         (!areLow ? enough + ", for a growth that fits ('auto' in its place)"
+          : jump  ? "a higher first layer and so many that they grow to these"
+                  : "a higher first layer") +
+         ", or for smaller elements there";
 }
 
-/// Says what to do about walls with thin layers, by the worst of them.
+/// Says which layers are thin, by the worst of them, and what to do.
 std::string noteOn(const Wall& worst, std::size_t others, const std::string& name,
                    const std::vector<std::string>& checks)
 {
-  WallLayers more = worst.layers;
-  more.layers = WallLayers::asManyAsFit;
-  const int enough = fitted(more, worst.size).layers;
   std::ostringstream text;
   text << std::setprecision(3) << "layers are so thin that " << joined(checks, " and ")
        << (checks.size() == 1 ? " of checkMesh fails" : " of checkMesh fail")
@@ -65,8 +79,7 @@ std::string noteOn(const Wall& worst, std::size_t others, const std::string& nam
   }
   text << ", " << worst.layers.layers << (worst.layers.layers == 1 ? " layer" : " layers") << " from "
        << worst.layers.firstHeight << " to " << worst.lastHeight() << " m meet elements of " << worst.size << " m, "
-       << std::round(worst.jump()) << " times as high; ask for " << enough
-       << " layers, for a growth that fits ('auto' in its place), or for smaller elements there";
+       << std::round(worst.jump()) << " times as high; " << adviceOn(worst.layers, worst.size, checks);
   return text.str();
 }
 
@@ -83,6 +96,7 @@ ThinLayers fitLayers(LayerOptions& options, const MeshPort& port, const MeshingC
   const std::vector<WallSize> sizes =
       typicalSizes(octree, context.model, context, port.ownLeaves(octree), port.exchange());
   FlatLayers atLargest;
+  bool anyPasses = false;
   std::vector<Wall> thin;
   for (Index tag = 0; tag < sizes.size(); ++tag)
   {
@@ -95,7 +109,7 @@ ThinLayers fitLayers(LayerOptions& options, const MeshPort& port, const MeshingC
     layers = fitted(layers, hasOctants ? sizes[tag].typical : octree.frame().finestSize);
     if (hasOctants)
     {
-      options.flat.lower(flatLayers(layers, sizes[tag].typical));
+      anyPasses = anyPasses || !failsDeterminant(flatLayers(layers, sizes[tag].typical));
       const FlatLayers largest = flatLayers(layers, sizes[tag].largest);
       atLargest.lower(largest);
       if (!failingOn(largest).empty())
@@ -104,11 +118,12 @@ ThinLayers fitLayers(LayerOptions& options, const MeshPort& port, const MeshingC
       }
     }
   }
+  options.failsDeterminants = !thin.empty() && !anyPasses;
   if (!thin.empty())
   {
     const Wall& worst = *std::ranges::max_element(thin, {}, &Wall::jump);
     out.failingChecks = failingOn(atLargest);
-    out.note = noteOn(worst, thin.size() - 1, nameOf(worst.tag, context.model.names), out.failingChecks);
+    out.note = noteOn(worst, thin.size() - 1, tagName(worst.tag, context.model.names), out.failingChecks);
   }
   return out;
 }

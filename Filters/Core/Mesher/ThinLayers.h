@@ -9,9 +9,9 @@
 
 namespace atria {
 
-/// Completes requested layers with a first height by the sizes of the elements beside them (fitted()), and sets what
-/// they have at best (LayerOptions::flat). Returns which checks fail on any wall with such heights, and a note on them.
-/// All processes get the same. Does nothing if no first height is requested.
+/// Completes requested layers with a first height by the sizes of the elements beside them (fitted()), and tells
+/// whether determinants fail on all their walls. Returns which checks fail on any wall with such heights, and a note on
+/// them. All processes get the same. Does nothing if no first height is requested.
 ThinLayers fitLayers(LayerOptions& options, const MeshPort& port, const MeshingContext& context);
 
 } // namespace atria

@@ -92,10 +92,6 @@ void keepWithin(const FlatLayers& flat, QualityTargets& targets)
   keep(targets.volumeRatio, flat.volumeRatio, flatLimitOfSizes);
   keep(targets.cornerVolume, flat.cornerVolume);
   keep(targets.determinantRoot, flat.determinantRoot);
-  if (flat.determinantRoot < std::sqrt(std::sqrt(checkLimits::determinant)))
-  {
-    targets.determinantRoot = {0.0, 0.0}; // it fails wherever points are, most of all at the sides of the domain
-  }
 }
 
 ImproverStage straighteningStage(const MeshTraits& traits, const QualityRange& faceCosine, bool byChains = false)

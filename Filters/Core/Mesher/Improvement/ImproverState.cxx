@@ -11,13 +11,15 @@ namespace atria {
 
 MeshTraits traitsOf(const DualMesh& plain, const LayerOptions& options)
 {
+  FlatLayers flat = flatLayers(plain, options);
+  flat.determinantRoot = options.failsDeterminants ? 0.0 : flat.determinantRoot;
   return {.layered = std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; }),
           .asked = options.isAsked(),
           .supported = std::ranges::find(options.supporting, SupportingLayer::whereNeeded) != options.supporting.end(),
           .hasHeights = options.hasHeights(),
           .divided = options.isDivided(),
           .uniform = std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end(),
-          .flat = options.flat};
+          .flat = flat};
 }
 
 ImproverState::ImproverState(const MeshingContext& meshingContext, const VertexClassification& given,

@@ -195,7 +195,6 @@ bool measure(const CellWindows& windows, const AskedFaces& asked, const RegularB
   const std::size_t atOnce = windowsOfThread * static_cast<std::size_t>(context.executor.threads());
   for (std::size_t first = 0; first < windows.count(); first += atOnce)
   {
-    context.progress.report(static_cast<double>(first) / static_cast<double>(windows.count()), "Judging elements");
     std::vector<std::optional<WindowMetrics>> some(std::min(atOnce, windows.count() - first));
     context.executor.forEach(some.size(), 1, [&](std::size_t i) { some[i] = meter.measure(first + i); });
     for (const std::optional<WindowMetrics>& one : some)
@@ -207,6 +206,8 @@ bool measure(const CellWindows& windows, const AskedFaces& asked, const RegularB
       append(one->metrics, out);
       boundaryFaces += one->boundaryFaces;
     }
+    context.progress.report(static_cast<double>(first + some.size()) / static_cast<double>(windows.count()),
+                            "Judging elements");
   }
   return !asked.patchesAreTheBoundary || meter.areThePatches(boundaryFaces, asked);
 }

@@ -53,10 +53,9 @@ struct QualityByBoxes
 
 /// Measures cells that are not regular boxes in windows of `length` to twice as many cells (CellWindow.h), each on one
 /// thread. Returns nullopt if this saves nothing, because most cells must be measured and do not fill two windows; a
-/// part is measured in any case. Also returns nullopt if cells or faces are wrong;
-/// makeFaceMesh() of the whole mesh reports the error. In a part, points of cells that are not its own make cells
-/// irregular, and faces of patches must be the boundary of own cells. The result has the same bits for any number of
-/// threads. Throws Aborted when asked to.
+/// part is measured in any case. Also returns nullopt if cells or faces are wrong; makeFaceMesh() of the whole mesh
+/// reports the error. In a part, points of cells that are not its own make cells irregular, and faces of patches must
+/// be the boundary of own cells. The result has the same bits for any number of threads. Throws Aborted when asked to.
 std::optional<QualityByBoxes> computeQualityByBoxes(std::span<const Vec3> points, const CellArrays& cells,
                                                     const AskedFaces& asked, const RunContext& context,
                                                     std::size_t length = measuredAtOnce,

@@ -23,10 +23,8 @@ using Mat3 = Eigen::Matrix3d;
 
 /// A cell has too few neighbors if it has fewer than three internal faces, or three and its determinant (see
 /// CheckQuantity::Determinant) is below this, checkMesh's limit. Thin cells of boundary layers have small determinants
-/// too, but more faces, or one that is more than so many times as large as the others: boxes that thin are below the
-/// limit with all of their neighbors.
+/// too, but more faces.
 constexpr double leastDeterminant = 1e-3;
-constexpr double thin = 26.0;
 /// Largest number of cells in a union.
 constexpr std::size_t mostCells = 6;
 /// Number of rejected groups that are tried with one more cell.
@@ -37,8 +35,6 @@ struct Directions
 {
   Mat3 areas = Mat3::Zero(); ///< sum of A A^T
   double area = 0.0;         ///< sum of |A|
-  double largest = 0.0;      ///< of |A|
-  double second = 0.0;       ///< the next smaller
   int count = 0;
 
   void add(const Vec3& face)
@@ -46,8 +42,6 @@ struct Directions
     const double size = face.norm();
     areas += face * face.transpose();
     area += size;
-    second = std::max(std::min(size, largest), second);
-    largest = std::max(size, largest);
     count += size > 0.0 ? 1 : 0;
   }
 
@@ -55,7 +49,7 @@ struct Directions
   /// but point in all directions.
   bool areFew() const
   {
-    if (count != 3 || area <= 0.0 || largest > thin * second)
+    if (count != 3 || area <= 0.0)
     {
       return count < 3;
     }
