@@ -73,10 +73,24 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
       ->type_name("N|PATTERN=N[:FIRST[:GROWTH]]");
   command.add_flag("--no-support", options.withoutSupport,
                    "No layer on surfaces for which none is asked, also where elements cannot be valid without");
-  command.add_option("--first-layer", options.firstHeight, "Height of the layer on the wall, meters; 0 for any")
-      ->capture_default_str()
-      ->check(atLeast(0.0))
-      ->type_name("M");
+  CLI::Option* height =
+      command.add_option("--first-layer", options.firstHeight, "Height of the layer on the wall, meters; 0 for any")
+          ->capture_default_str()
+          ->check(atLeast(0.0))
+          ->type_name("M");
+  CLI::Option* speed = command
+                           .add_option("--speed", options.speed,
+                                       "Speed of the air that passes the walls, m/s: the table of layers then has y+, "
+                                       "with a friction velocity of a twentieth of it")
+                           ->check(positive())
+                           ->type_name("M/S");
+  command
+      .add_option("--y-plus", options.yPlus,
+                  "Height of the layer on the wall by the y+ of its middle at --speed: 30 to 300 for wall functions")
+      ->check(positive())
+      ->needs(speed)
+      ->excludes(height)
+      ->type_name("X");
   command.add_option("--layer-growth", options.growth, "Height of each layer relative to the one below it")
       ->capture_default_str()
       ->check(numberIn(filter->GetLayerGrowthMinValue(), filter->GetLayerGrowthMaxValue()))
@@ -104,7 +118,9 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
 void configureLayers(vtkAtriaDualMesher* mesher, const LayerOptions& options)
 {
   mesher->SetSupportElements(!options.withoutSupport);
-  mesher->SetFirstLayerHeight(options.firstHeight);
+  mesher->SetFirstLayerHeight(options.yPlus > 0.0
+                                  ? vtkAtriaDualMesher::ComputeFirstLayerHeight(options.yPlus, options.speed)
+                                  : options.firstHeight);
   mesher->SetLayerGrowth(options.growth);
   mesher->SetTargetNonOrthogonality(options.nonOrthogonality);
   mesher->SetTargetSkewness(options.skewness);

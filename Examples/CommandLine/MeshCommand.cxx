@@ -50,7 +50,8 @@ private:
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
-Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const Json& sums, const Json& seconds)
+Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const Json& sums, const Json& seconds,
+                double speed)
 {
   auto* mesh = vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0));
   auto* diagnostics = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2));
@@ -69,7 +70,7 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   report["threads"] = threadsInUse();
   report["repair"] = repairOf(diagnostics);
   report["hidden_detail"] = hiddenDetailOf(diagnostics);
-  report["layers"] = layersOf(diagnostics);
+  report["layers"] = layersOf(diagnostics, speed);
   report["failing_by_thin_layers"] = textsOf(diagnostics, "FailingByThinLayers");
   report["audit"] = auditOf(diagnostics);
   report["left_out_elements"] = leftOutElementsOf(diagnostics);
@@ -277,7 +278,7 @@ ExitStatus makeMesh(const MeshOptions& options, const CLI::App& command, vtkAtri
   seconds["Quality"] = qualitySeconds;
   seconds["Write"] = writing.seconds();
   seconds["Total"] = total.seconds();
-  Json report = makeReport(mesher, quality, sums, seconds);
+  Json report = makeReport(mesher, quality, sums, seconds, options.layers.speed);
   report["openfoam"] = openfoam;
   if (!options.report.empty())
   {
@@ -285,7 +286,7 @@ ExitStatus makeMesh(const MeshOptions& options, const CLI::App& command, vtkAtri
   }
   console.clearBar();
   printMerged(openfoam, options.exports.openfoam);
-  printLayers(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)));
+  printLayers(report["layers"]);
   std::vector<std::string> files{options.output, options.patches};
   const std::vector<std::string> exported = options.exports.targets();
   files.insert(files.end(), exported.begin(), exported.end());

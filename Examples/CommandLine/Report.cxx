@@ -297,7 +297,7 @@ std::string hiddenDetailText(const Json& hidden, const std::string& before)
          (sorted.size() > most ? before + "and " + std::to_string(sorted.size() - most) + " surfaces more\n" : "");
 }
 
-Json layersOf(vtkPolyData* diagnostics)
+Json layersOf(vtkPolyData* diagnostics, double speed)
 {
   vtkFieldData* fields = diagnostics->GetFieldData();
   vtkStringArray* names = stringsOf(diagnostics, "LayerSurface");
@@ -310,7 +310,12 @@ Json layersOf(vtkPolyData* diagnostics)
                     {"area", number("LayerArea")},
                     {"covered", number("LayerCoverage")},
                     {"covered_in_full", number("LayerFullCoverage")},
-                    {"thickness", number("LayerThicknessRatio")}});
+                    {"thickness", number("LayerThicknessRatio")},
+                    {"first_height", number("LayerFirstHeight")}});
+    if (speed > 0.0)
+    {
+      list.back()["y_plus"] = vtkAtriaDualMesher::ComputeYPlus(number("LayerFirstHeight"), speed);
+    }
   }
   return list;
 }
@@ -390,20 +395,22 @@ Json auditOf(vtkPolyData* diagnostics)
           {"warnings", warnings}};
 }
 
-void printLayers(vtkPolyData* diagnostics)
+void printLayers(const Json& layers)
 {
-  const Json list = layersOf(diagnostics);
-  if (list.empty())
+  if (layers.empty())
   {
     return;
   }
-  std::printf("%-24s %6s %12s %9s %9s %9s\n", "surface", "layers", "area/m2", "covered", "in full", "thickness");
-  for (const Json& entry : list)
+  const bool hasYPlus = layers[0].contains("y_plus");
+  std::printf("%-24s %6s %12s %9s %9s %9s%s\n", "surface", "layers", "area/m2", "covered", "in full", "thickness",
+              hasYPlus ? "       y+" : "");
+  for (const Json& entry : layers)
   {
     const auto percent = [&](const char* key) { return 100.0 * entry[key].get<double>(); };
-    std::printf("%-24s %6d %12.2f %8.2f%% %8.2f%% %8.1f%%\n", entry["surface"].get<std::string>().c_str(),
+    std::printf("%-24s %6d %12.2f %8.2f%% %8.2f%% %8.1f%%", entry["surface"].get<std::string>().c_str(),
                 entry["layers"].get<int>(), entry["area"].get<double>(), percent("covered"), percent("covered_in_full"),
                 percent("thickness"));
+    hasYPlus ? std::printf(" %8.4g\n", entry["y_plus"].get<double>()) : std::printf("\n");
   }
 }
 

@@ -64,13 +64,14 @@ Json hiddenDetailOf(const std::vector<HiddenDetail>& hidden, const std::vector<s
 /// Returns the same as lines of text, each with `before` in front: the surfaces with most triangles, and how many more.
 std::string hiddenDetailText(const Json& hidden, const std::string& before);
 
-/// Returns [{surface, layers, area, covered, covered_in_full, thickness}] from the field arrays Layer… of the mesher's
-/// diagnostics: shares of the area, and the thickness reached relative to the one requested.
-Json layersOf(vtkPolyData* diagnostics);
+/// Returns [{surface, layers, area, covered, covered_in_full, thickness, first_height}] from the field arrays Layer… of
+/// the mesher's diagnostics: shares of the area, the thickness reached relative to the one requested, and the height of
+/// the elements on the wall. With a speed, m/s, there is `y_plus` too.
+Json layersOf(vtkPolyData* diagnostics, double speed = 0.0);
 /// Returns the comparison of mesh and model: `surfaces`, `volumes` and `warnings`.
 Json auditOf(vtkPolyData* diagnostics);
 /// Prints a table; nothing if no layers were requested.
-void printLayers(vtkPolyData* diagnostics);
+void printLayers(const Json& layers);
 
 /// Returns the field array MaxLevel; null if it is absent.
 Json maxLevelOf(vtkUnstructuredGrid* mesh);

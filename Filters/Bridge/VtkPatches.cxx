@@ -216,6 +216,7 @@ void layersToVtk(const LayerReport& layers, vtkPolyData* out)
   addArrayOf<vtkDoubleArray>(data, "LayerFullCoverage", layers.surfaces,
                              [](const LayerCoverage& s) { return s.full / s.area; });
   addArrayOf<vtkDoubleArray>(data, "LayerThicknessRatio", layers.surfaces, &LayerCoverage::thickness);
+  addArrayOf<vtkDoubleArray>(data, "LayerFirstHeight", layers.surfaces, &LayerCoverage::firstHeight);
   addArrayOf<vtkStringArray>(data, "FailingByThinLayers", layers.thin.failingChecks);
 }
 

@@ -4,6 +4,7 @@
 #include "AddArray.h"
 #include "AlgorithmProgress.h"
 #include "GridInput.h"
+#include "Layer/WallUnits.h"
 #include "Mesher/MeshModel.h"
 #include "Mesher/SuggestedSizes.h"
 #include "PropertyRange.h"
@@ -27,6 +28,8 @@
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
+
+#include <limits>
 
 vtkStandardNewMacro(vtkAtriaDualMesher);
 
@@ -250,6 +253,17 @@ std::string vtkAtriaDualMesher::GetStageName(int i)
 double vtkAtriaDualMesher::GetStageSeconds(int i)
 {
   return i >= 0 && i < this->GetNumberOfStages() ? this->Stages[i].second : 0.0;
+}
+
+double vtkAtriaDualMesher::ComputeFirstLayerHeight(double yPlus, double speed)
+{
+  return yPlus > 0.0 && speed > 0.0 ? atria::heightAtYPlus(yPlus, speed) : std::numeric_limits<double>::quiet_NaN();
+}
+
+double vtkAtriaDualMesher::ComputeYPlus(double firstLayerHeight, double speed)
+{
+  return firstLayerHeight > 0.0 && speed > 0.0 ? atria::yPlusOf(firstLayerHeight, speed)
+                                               : std::numeric_limits<double>::quiet_NaN();
 }
 
 vtkIdType vtkAtriaDualMesher::EstimateLayerElements()

@@ -160,9 +160,8 @@ public:
   ///@{
   /**
    * If on, surfaces without requested layers get one if an element there cannot be valid without it, wherever its
-   * vertices are: it is concave at walls or has too few neighbors. The layer covers the whole surface; on the domain's
-   * bottom beside a site, only such elements. The upright sides of a domain that is turned against the grid get one
-   * everywhere. Default on.
+   * vertices are: it is concave at walls or has too few neighbors. The layer ends two faces beside such elements. The
+   * upright sides of a domain that is turned against the grid get one everywhere. Default on.
    */
   vtkSetMacro(SupportElements, bool);
   vtkGetMacro(SupportElements, bool);
@@ -181,6 +180,16 @@ public:
 
   ///@{
   /**
+   * Returns the height of the first layer, in meters, whose middle is `yPlus` viscous lengths off the wall, and the
+   * reverse. `speed` is that of the air that passes the wall, in m/s; a twentieth of it is taken as the friction
+   * velocity. NaN if a number is not above 0.
+   */
+  static double ComputeFirstLayerHeight(double yPlus, double speed);
+  static double ComputeYPlus(double firstLayerHeight, double speed);
+  ///@}
+
+  ///@{
+  /**
    * Height of each further layer relative to the one below it. Default 1.2; from 0.5 to 5.
    */
   vtkAtriaSetInRangeMacro(LayerGrowth, double, 0.5, 5.0);
@@ -190,8 +199,9 @@ public:
   ///@{
   /**
    * Layers on the surfaces whose name matches `pattern` (`*` any text, `?` any one character) in place of
-   * NumberOfLayers; with 0, layers beside these surfaces taper to nothing. Height and growth are FirstLayerHeight and
-   * LayerGrowth unless given. The last rule that matches holds; where surfaces meet, the smallest values hold. A bare
+   * NumberOfLayers. Height and growth are FirstLayerHeight and LayerGrowth unless given. The last rule that matches
+   * holds. Layers run up to surfaces that have fewer or none, and taper within the first row of elements on these;
+   * without SupportElements they taper before surfaces that have none. A bare
    * side of the domain has layers if a rule has exactly its name, `xMin` … `zMax`. AddLayerRule takes a rule as text,
    * `PATTERN LAYERS [FIRSTHEIGHT [GROWTH]]`, the pattern in double quotes if it holds blanks; GetLayerRule returns this
    * form. With a first height, LAYERS or GROWTH may be `auto`: as many layers, or the growth from 1 to 2, at which the

@@ -54,6 +54,7 @@ TEST(LayerReport, CoversWhatHasAllItsLayers)
   EXPECT_NEAR(all.layered, 9.0, 1e-9);
   EXPECT_NEAR(all.full, 9.0, 1e-9);
   EXPECT_NEAR(all.thickness, 1.0, 1e-9);
+  EXPECT_NEAR(all.firstHeight, 0.1, 1e-9);
   ASSERT_EQ(report.counts.size(), divided.mesh.boundaryFaces.size());
   for (std::size_t f = 0; f < report.counts.size(); ++f)
   {
@@ -84,6 +85,7 @@ TEST(LayerReport, TellsWhatHasFewerOrNone)
   EXPECT_NEAR(report.surfaces[0].layered, 6.0, 1e-9);
   EXPECT_NEAR(report.surfaces[0].full, 3.0, 1e-9);
   EXPECT_NEAR(report.surfaces[0].thickness, 0.75, 1e-9) << "half of the corners of half of the faces";
+  EXPECT_NEAR(report.surfaces[0].firstHeight, 0.45, 1e-9) << "cubes, what is beside them, and two layers";
   for (Index f = 0; f < of.walls.roles.size(); ++f)
   {
     const Index cell = of.block.mesh.boundaryFaces[f].element % 3;

@@ -83,6 +83,7 @@ void expectLayers(const DualMeshResult& whole, const SharedDual& dual)
     EXPECT_EQ(own.layered, other.layered);
     EXPECT_EQ(own.full, other.full);
     EXPECT_EQ(own.thickness, other.thickness);
+    EXPECT_EQ(own.firstHeight, other.firstHeight);
   }
 }
 

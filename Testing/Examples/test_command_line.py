@@ -293,6 +293,29 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(json.loads(report.read_text())["layers"], [])
         self.refuses(3, "no surface matches 'Wal'", "mesh", HOUSE, "-o", out, *COARSE, "--layers", "Wal=1")
 
+    def test_heights_by_y_plus(self):
+        out, report = self.folder / "viscous.vtu", self.folder / "viscous.json"
+        def layers(*options):
+            run = self.atria("mesh", HOUSE, "-o", out, *COARSE, "--report", report, *options)
+            self.assertIn(run.returncode, (0, 4, 5), run.stderr)
+            return run.stdout, {entry["surface"]: entry for entry in json.loads(report.read_text())["layers"]}
+        # 40 viscosities of air over a speed of 0.1: 6 mm for each y+.
+        shown, by_y_plus = layers("--layers", "*=2", "--y-plus", "25", "--speed", "0.1")
+        self.assertRegex(shown, r"thickness +y\+\n")
+        roof = by_y_plus["RoofSouth"]
+        self.assertAlmostEqual(roof["first_height"], 0.15, delta=0.015)
+        self.assertAlmostEqual(roof["y_plus"], roof["first_height"] / 0.006, places=9)
+        self.assertAlmostEqual(layers("--layers", "*=2:0.15")[1]["RoofSouth"]["first_height"], roof["first_height"], places=5)
+        shown, without = layers("--layers", "*=2:0.15")
+        self.assertNotIn("y+", shown)
+        self.assertNotIn("y_plus", without["RoofSouth"])
+        shown, bare = layers("--speed", "0.1")
+        self.assertIn("y+", shown)
+        self.assertGreater(bare["RoofSouth"]["y_plus"], roof["y_plus"])
+        self.refuses(2, "--speed", "mesh", HOUSE, "-o", out, *COARSE, "--y-plus", "50")
+        self.refuses(2, "--first-layer", "mesh", HOUSE, "-o", out, *COARSE, "--y-plus", "50", "--speed", "5", "--first-layer", "1")
+        self.refuses(2, "--y-plus", "mesh", HOUSE, "-o", out, *COARSE, "--y-plus", "0", "--speed", "5")
+
     def test_preflight(self):
         report = self.folder / "preflight.json"
         run = self.atria("mesh", HOUSE, *COARSE, "--preflight", "--report", report)

@@ -37,6 +37,7 @@ public:
     for (LayerCoverage& surface : ofTag)
     {
       surface.thickness = surface.layered > 0.0 ? surface.thickness / surface.layered : 0.0;
+      surface.firstHeight = surface.area > 0.0 ? surface.firstHeight / surface.area : 0.0;
     }
     addSheets(ofTag);
     for (std::size_t tag = 0; tag < ofTag.size(); ++tag)
@@ -59,16 +60,19 @@ private:
     std::vector<double> values;
     for (const LayerCoverage& surface : ofTag)
     {
-      values.insert(values.end(), {surface.area, surface.layered, surface.full, surface.thickness});
+      values.insert(values.end(),
+                    {surface.area, surface.layered, surface.full, surface.thickness, surface.firstHeight});
     }
     const std::vector<double> sums = sumAll(exchange, std::move(values));
     for (std::size_t tag = 0; tag < ofTag.size(); ++tag)
     {
       LayerCoverage& surface = ofTag[tag];
-      surface.area = sums[4 * tag];
-      surface.layered = sums[4 * tag + 1];
-      surface.full = sums[4 * tag + 2];
-      surface.thickness = sums[4 * tag + 3];
+      auto sum = sums.begin() + static_cast<std::ptrdiff_t>(5 * tag);
+      surface.area = *sum++;
+      surface.layered = *sum++;
+      surface.full = *sum++;
+      surface.thickness = *sum++;
+      surface.firstHeight = *sum++;
     }
   }
 
@@ -81,6 +85,22 @@ private:
   double inUnits(double area) const
   {
     return options.areaUnit > 0.0 ? options.areaUnit * std::round(area / options.areaUnit) : area;
+  }
+
+  /// Returns the area of a wall face times the mean distance of its element's corners from it.
+  double volumeUnder(const BoundaryFace& face, const Vec3& areaVector) const
+  {
+    Vec3 corners = Vec3::Zero();
+    for (const Index p : layer.mesh.corners[face.element])
+    {
+      corners += layer.mesh.points[p] / 8.0;
+    }
+    Vec3 ofFace = Vec3::Zero();
+    for (int i = 0; i < 4; ++i)
+    {
+      ofFace += layer.mesh.points[cornerOf(layer.mesh, face, i)] / 4.0;
+    }
+    return (corners - ofFace).dot(areaVector);
   }
 
   void add(Index f, LayerCoverage& surface)
@@ -107,6 +127,7 @@ private:
     out.counts[f] = static_cast<std::int32_t>(most);
     out.thicknesses[f] = got;
     surface.area += inUnits(area);
+    surface.firstHeight += inUnits(2.0 * volumeUnder(face, areaVector));
     if (most > 0)
     {
       surface.layered += inUnits(area);

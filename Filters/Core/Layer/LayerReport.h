@@ -21,6 +21,8 @@ struct LayerCoverage
   double full = 0.0;
   /// Actual over requested thickness, mean over the layered area; 0 if there is none.
   double thickness = 0.0;
+  /// Height of the elements on the wall, with or without a layer; mean over the area, model units.
+  double firstHeight = 0.0;
 };
 
 /// Layers that are too thin for checks of checkMesh, wherever they are.
