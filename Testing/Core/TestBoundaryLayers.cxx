@@ -82,7 +82,7 @@ TEST(Heights, KeepTheFirstAndGrowFasterWhereTheWayIsLong)
   EXPECT_NEAR(divideWay({3, 0.0, 1.1}, 1e9)[0], 1.0 / 3.31, 1e-9) << "no height, no way to keep it";
 }
 
-TEST(Heights, AreTheSmallestOfTheWallsAroundAPoint)
+TEST(Heights, AreThoseOfTheWallWithMostLayersAroundAPoint)
 {
   const Grown of({3, 3, 3}, {{"zMin", {4, 0.2, 1.5}}, {"xMin", {3, 0.0, 1.2}}, {"yMin", {5, 0.1, 1.9}}});
   const std::vector<WallLayers> layers = layersOfPoints(of.block.mesh, of.walls, of.options);
@@ -90,11 +90,22 @@ TEST(Heights, AreTheSmallestOfTheWallsAroundAPoint)
   EXPECT_EQ(at(1, 1, 0), (WallLayers{4, 0.2, 1.5}));
   EXPECT_EQ(at(0, 1, 1), (WallLayers{3, 0.0, 1.2}));
   EXPECT_EQ(at(1, 0, 1), (WallLayers{5, 0.1, 1.9}));
-  EXPECT_EQ(at(0, 1, 0), (WallLayers{3, 0.2, 1.2})) << "of heights that are given";
-  EXPECT_EQ(at(0, 0, 1), (WallLayers{3, 0.1, 1.2}));
-  EXPECT_EQ(at(1, 0, 0), (WallLayers{4, 0.1, 1.5}));
-  EXPECT_EQ(at(0, 0, 0), (WallLayers{3, 0.1, 1.2}));
+  EXPECT_EQ(at(0, 1, 0), (WallLayers{4, 0.2, 1.5}));
+  EXPECT_EQ(at(0, 0, 1), (WallLayers{5, 0.1, 1.9}));
+  EXPECT_EQ(at(1, 0, 0), (WallLayers{5, 0.1, 1.9}));
+  EXPECT_EQ(at(0, 0, 0), (WallLayers{5, 0.1, 1.9}));
   EXPECT_EQ(at(2, 2, 2).layers, 0);
+}
+
+TEST(Heights, AreTheSmallestOfWallsWithAsMany)
+{
+  const Grown of({3, 3, 3}, {{"zMin", {4, 0.2, 1.5}}, {"xMin", {4, 0.0, 1.2}}, {"yMin", {4, 0.1, 1.9}}});
+  const std::vector<WallLayers> layers = layersOfPoints(of.block.mesh, of.walls, of.options);
+  const auto at = [&](Index i, Index j, Index k) { return layers[of.block.pointAt(i, j, k)]; };
+  EXPECT_EQ(at(0, 1, 0), (WallLayers{4, 0.2, 1.2})) << "of heights that are given";
+  EXPECT_EQ(at(0, 0, 1), (WallLayers{4, 0.1, 1.2}));
+  EXPECT_EQ(at(1, 0, 0), (WallLayers{4, 0.1, 1.5}));
+  EXPECT_EQ(at(0, 0, 0), (WallLayers{4, 0.1, 1.2}));
 }
 
 TEST(Heights, AreWantedWhereALayerStands)

@@ -103,14 +103,14 @@ TEST(LayerDirection, StaysInTheOnePlaneOfSheetsThatDifferLittle)
   EXPECT_EQ(solveDirection({{Vec3::UnitZ()}, {}, {}, {Vec3::UnitZ()}}).direction, Vec3(Vec3::Zero()));
 }
 
-TEST(LayerWalls, CountTheFewestLayersAroundPoints)
+TEST(LayerWalls, CountTheMostLayersAroundPoints)
 {
   const Grown of({3, 3, 3}, {{"zMin", {4}}, {"xMin", {2}}, {"xMax", {7}}});
   for (Index i = 0; i < 4; ++i)
   {
     for (Index k = 0; k < 4; ++k)
     {
-      const Index expected = i == 0 ? 2 : k == 0 ? 4 : i == 3 ? 7 : 0;
+      const Index expected = i == 3 ? 7 : k == 0 ? 4 : i == 0 ? 2 : 0;
       EXPECT_EQ(of.walls.counts[of.block.pointAt(i, 1, k)], expected) << i << " " << k;
     }
   }

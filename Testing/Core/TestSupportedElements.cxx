@@ -81,7 +81,7 @@ TEST(SupportedElements, HaveALayerOnNoMoreThanTheyNeed)
   EXPECT_TRUE(supported.result.layers.surfaces.empty());
 }
 
-TEST(SupportedElements, HaveALayerOnTheWholeOfTheirSurfaceAndOnNoOther)
+TEST(SupportedElements, HaveALayerAroundThemAndOnNoOtherSurface)
 {
   TriangleSurface boxes;
   addBox(boxes, "Turned", {Vec3(-1.5, -0.5, -0.8), Vec3(-0.4, 0.6, 0.9)});
@@ -90,7 +90,24 @@ TEST(SupportedElements, HaveALayerOnTheWholeOfTheirSurfaceAndOnNoOther)
   const std::vector<LayerCoverage> surfaces = meshOf(boxes, true).result.layers.surfaces;
   ASSERT_EQ(surfaces.size(), 1u);
   EXPECT_EQ(surfaces[0].surface, "Turned");
-  EXPECT_NEAR(surfaces[0].layered, surfaces[0].area, 1e-9 * surfaces[0].area);
+  EXPECT_GT(surfaces[0].layered, 0.0);
+}
+
+TEST(SupportedElements, SpreadNoLayerOverTheirSurface)
+{
+  double layered = 0.0;
+  for (const double length : {0.6, 1.5})
+  {
+    TriangleSurface boxes;
+    addBox(boxes, "All", {Vec3(-1.5, -0.5, -0.8), Vec3(-0.4, 0.6, 0.9)});
+    turn(boxes, 17.0);
+    addBox(boxes, "All", {Vec3(0.2, -0.5, -0.8), Vec3(0.2 + length, 0.6, 0.9)});
+    const std::vector<LayerCoverage> surfaces = meshOf(boxes, true).result.layers.surfaces;
+    ASSERT_EQ(surfaces.size(), 1u);
+    EXPECT_GT(surfaces[0].layered, 0.0);
+    EXPECT_LE(surfaces[0].layered, layered > 0.0 ? 1.001 * layered : surfaces[0].area) << "whatever its size is";
+    layered = surfaces[0].layered;
+  }
 }
 
 TEST(SupportedElements, AreToldBySurfaceWithNoLayersAskedFor)

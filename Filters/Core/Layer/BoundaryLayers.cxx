@@ -78,23 +78,7 @@ std::vector<double> heightsAbove(const LayerWalls& walls, const LayerMesh& layer
 
 std::vector<WallLayers> layersOfPoints(const DualMesh& mesh, const LayerWalls& walls, const LayerOptions& options)
 {
-  std::vector<WallLayers> out(mesh.points.size());
-  std::vector<char> met(mesh.points.size(), 0);
-  for (Index f = 0; f < walls.roles.size(); ++f)
-  {
-    const WallLayers& asked = options.ofTag[mesh.boundaryFaces[f].tag];
-    for (int i = 0; i < 4 && walls.roles[f] == FaceRole::wall; ++i)
-    {
-      const Index p = cornerOf(mesh, mesh.boundaryFaces[f], i);
-      WallLayers& least = out[p];
-      const double first = least.firstHeight == 0.0   ? asked.firstHeight
-                           : asked.firstHeight == 0.0 ? least.firstHeight
-                                                      : std::min(least.firstHeight, asked.firstHeight);
-      least = !met[p] ? asked
-                      : WallLayers{std::min(least.layers, asked.layers), first, std::min(least.growth, asked.growth)};
-      met[p] = 1;
-    }
-  }
+  std::vector<WallLayers> out = layersAskedAt(mesh, walls, options);
   for (std::size_t p = 0; p < out.size(); ++p)
   {
     out[p].layers = static_cast<int>(walls.counts[p]);

@@ -10,9 +10,9 @@ namespace atria {
 /// or 0 if `one` has no layer there.
 std::vector<Index> layersWanted(const LayerWalls& walls, const LayerMesh& one);
 
-/// Divides the conforming layer: the line from each wall point to its copy becomes a chain of `counts` layers. It has
-/// the smallest first height and the smallest growth that the walls around the point request. Points of `one` are kept,
-/// also those that moved since it was grown. New points lie on the straight line between wall point and copy.
+/// Divides the conforming layer: the line from each wall point to its copy becomes a chain of `counts` layers. Its
+/// heights are those of layersOfPoints(). Points of `one` are kept, also those that moved since it was grown. New
+/// points lie on the straight line between wall point and copy.
 ///
 /// The layers fill the line (divideWay); first heights are heights above the wall (heightsAbove). Without one, layers
 /// grow as requested, but have equal heights beside points with fewer layers.
@@ -37,8 +37,7 @@ template <typename Use> void forChains(const LayerMesh& layer, Use&& use)
 /// but no less than half of the way to the copy; 0 for points without a copy.
 std::vector<double> heightsAbove(const LayerWalls& walls, const LayerMesh& layer);
 
-/// Returns the layers of each point: the smallest number, first height (of those that are given) and growth that the
-/// walls around it request.
+/// Returns the layers of each point: as requested (layersAskedAt), as many as it may have.
 std::vector<WallLayers> layersOfPoints(const DualMesh& mesh, const LayerWalls& walls, const LayerOptions& options);
 
 } // namespace atria

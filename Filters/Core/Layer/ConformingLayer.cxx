@@ -96,22 +96,15 @@ template <typename IsBetter> void replaceIf(double& value, double candidate, IsB
   }
 }
 
-/// Returns the smallest thickness that any wall around a point requests, for the points of `elements`; infinity
-/// elsewhere.
+/// Returns the thickness that is requested at the points of `elements`; infinity elsewhere.
 std::vector<double> thicknesses(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Index>& counts,
                                 const std::vector<Index>& elements, const LayerOptions& options,
                                 const RunContext& context)
 {
-  const std::vector<double> sizes = findWallSizes(mesh, walls, counts, elements, context);
-  std::vector<double> out(counts.size(), std::numeric_limits<double>::infinity());
-  for (Index f = 0; f < walls.roles.size(); ++f)
-  {
-    for (int i = 0; i < 4 && walls.roles[f] == FaceRole::wall; ++i)
-    {
-      const Index p = cornerOf(mesh, mesh.boundaryFaces[f], i);
-      out[p] = std::min(out[p], thicknessAsked(options.ofTag[mesh.boundaryFaces[f].tag], sizes[p], options));
-    }
-  }
+  const std::vector<WallLayers> asked = layersAskedAt(mesh, walls, options);
+  std::vector<double> out = findWallSizes(mesh, walls, counts, elements, context);
+  std::ranges::transform(out, asked, out.begin(),
+                         [&](double size, const WallLayers& layers) { return thicknessAsked(layers, size, options); });
   return out;
 }
 

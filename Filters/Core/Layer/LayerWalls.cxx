@@ -40,7 +40,7 @@ public:
 
   Index at(Index point) const
   {
-    Index least = noIndex;
+    Index most = 0;
     for (const Index f : walls.graph.facesAt(point))
     {
       if (walls.roles[f] == FaceRole::fixed)
@@ -49,14 +49,14 @@ public:
       }
       if (walls.roles[f] == FaceRole::wall)
       {
-        least = std::min(least, static_cast<Index>(options.ofTag[mesh.boundaryFaces[f].tag].layers));
+        most = std::max(most, static_cast<Index>(options.ofTag[mesh.boundaryFaces[f].tag].layers));
         if (doubled[f])
         {
           return 0;
         }
       }
     }
-    return least != noIndex && isOneRun(fanAt(mesh, walls.graph, point)) ? least : 0;
+    return most > 0 && isOneRun(fanAt(mesh, walls.graph, point)) ? most : 0;
   }
 
 private:
@@ -99,6 +99,29 @@ LayerWalls findLayerWalls(const DualMesh& mesh, const LayerOptions& options, con
   context.executor.forEach(mesh.points.size(), 2048,
                            [&](std::size_t p) { walls.counts[p] = counter.at(static_cast<Index>(p)); });
   return walls;
+}
+
+std::vector<WallLayers> layersAskedAt(const DualMesh& mesh, const LayerWalls& walls, const LayerOptions& options)
+{
+  std::vector<WallLayers> out(mesh.points.size());
+  for (Index f = 0; f < walls.roles.size(); ++f)
+  {
+    const WallLayers& asked = options.ofTag[mesh.boundaryFaces[f].tag];
+    for (int i = 0; i < 4 && walls.roles[f] == FaceRole::wall; ++i)
+    {
+      WallLayers& most = out[cornerOf(mesh, mesh.boundaryFaces[f], i)];
+      if (asked.layers != most.layers)
+      {
+        most = asked.layers > most.layers ? asked : most;
+        continue;
+      }
+      most.firstHeight = most.firstHeight == 0.0    ? asked.firstHeight
+                         : asked.firstHeight == 0.0 ? most.firstHeight
+                                                    : std::min(most.firstHeight, asked.firstHeight);
+      most.growth = std::min(most.growth, asked.growth);
+    }
+  }
+  return out;
 }
 
 Vec3 wallNormal(const DualMesh& mesh, const BoundaryFace& face)

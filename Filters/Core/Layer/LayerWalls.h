@@ -14,7 +14,7 @@ namespace atria {
 enum class SupportingLayer : std::uint8_t
 {
   none,
-  whereNeeded, ///< on the whole of a surface that has an element which cannot be valid without
+  whereNeeded, ///< at elements which cannot be valid without, and around them
   everywhere
 };
 
@@ -40,12 +40,11 @@ struct LayerOptions
 
   SupportingLayer supportOf(Index tag) const { return supporting.empty() ? SupportingLayer::none : supporting[tag]; }
   bool isSupporting(Index tag) const { return supportOf(tag) != SupportingLayer::none; }
+  bool isAsked(Index tag) const { return ofTag[tag].layers > 0 && !isSupporting(tag); }
   /// True if a layer is requested anywhere.
   bool isAsked() const
   {
-    return std::ranges::any_of(ofTag, [&](const WallLayers& wall) {
-      return wall.layers > 0 && !isSupporting(static_cast<Index>(&wall - ofTag.data()));
-    });
+    return std::ranges::any_of(ofTag, [&](const WallLayers& wall) { return isAsked(Index(&wall - ofTag.data())); });
   }
   Index surfaceCount() const { return static_cast<Index>(ofTag.size()) - sideNumbers; }
   /// True if several layers are requested anywhere.
@@ -72,7 +71,8 @@ struct LayerWalls
 {
   BoundaryGraph graph;
   std::vector<FaceRole> roles;
-  /// One entry per point: the smallest number of layers that its walls request; 0 if no layer is possible.
+  /// One entry per point: the largest number of layers that its walls request; 0 if no layer is possible. So layers run
+  /// up to walls that have fewer, and taper on these.
   std::vector<Index> counts;
   SettledPoints settled;
 };
@@ -83,6 +83,10 @@ struct LayerWalls
 /// - no face beside one of its walls has the same points as that wall,
 /// - the point is on no surface without layers.
 LayerWalls findLayerWalls(const DualMesh& mesh, const LayerOptions& options, const RunContext& context);
+
+/// Returns the layers requested at each point: those of the wall with the most. Of several with as many it is the
+/// smallest first height, of those that are given, and the smallest growth.
+std::vector<WallLayers> layersAskedAt(const DualMesh& mesh, const LayerWalls& walls, const LayerOptions& options);
 
 /// Returns the area vector of a boundary face, into the fluid.
 Vec3 wallNormal(const DualMesh& mesh, const BoundaryFace& face);

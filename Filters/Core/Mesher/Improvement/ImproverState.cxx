@@ -30,13 +30,17 @@ ImproverState::ImproverState(const MeshingContext& meshingContext, const VertexC
       mayLeave(vertexOf.size(), 1), excluded(vertexOf.size(), 0), suspect(vertexOf.size(), 0),
       measured(baseTargets(traits))
 {
-  for (const BoundaryFace& face : plain.boundaryFaces)
-  {
-    for (int i = 0; i < 4 && options.supportOf(face.tag) == SupportingLayer::whereNeeded; ++i)
+  const auto setExcluded = [&](char value, auto&& ofTag) {
+    for (const BoundaryFace& face : plain.boundaryFaces)
     {
-      excluded[cornerOf(plain, face, i)] = 1;
+      for (int i = 0; i < 4 && ofTag(face.tag); ++i)
+      {
+        excluded[cornerOf(plain, face, i)] = value;
+      }
     }
-  }
+  };
+  setExcluded(1, [&](Index tag) { return options.supportOf(tag) == SupportingLayer::whereNeeded; });
+  setExcluded(0, [&](Index tag) { return options.isAsked(tag); }); // layers run up to surfaces without
   for (Index p = 0; p < vertexOf.size() && !walls.settled.isEmpty(); ++p)
   {
     mayLeave[vertexOf[p]] = mayLeave[vertexOf[p]] && !walls.settled.stays(p);

@@ -116,12 +116,20 @@ private:
 
 } // namespace
 
+void flattenTops(ImproverState& state)
+{
+  const ImproverStage stage = flatteningStage(state.traits);
+  state.measureBy(stage.options.targets);
+  std::vector<ShortCell> cells = state.findShort(stage.options.targets, stage.below);
+  std::erase_if(cells, [&](const ShortCell& cell) {
+    return std::ranges::none_of(state.layer.mesh.corners[cell.cell], [&](Index p) { return state.layer.isNew(p); });
+  });
+  state.run(stage, cells);
+  state.measureBy(strictestTargets(state.traits, nullptr));
+}
+
 void LayerDivision::run()
 {
-  if (!state_.walls.settled.areDivided)
-  {
-    flattenTops();
-  }
   given_ = one_ = state_.layer;
   wanted_ = counts_ = layersWanted(state_.walls, one_);
   held_.resize(one_.plainPoints);
@@ -142,18 +150,6 @@ bool LayerDivision::giveWay(const std::vector<ShortCell>& cells)
     improveUntilSound(*marked);
   }
   return marked.has_value();
-}
-
-/// Of the cells of the layer, and those beside it.
-void LayerDivision::flattenTops()
-{
-  const ImproverStage stage = flatteningStage(state_.traits);
-  state_.measureBy(stage.options.targets);
-  std::vector<ShortCell> cells = state_.findShort(stage.options.targets, stage.below);
-  std::erase_if(cells, [&](const ShortCell& cell) {
-    return std::ranges::none_of(state_.layer.mesh.corners[cell.cell], [&](Index p) { return state_.layer.isNew(p); });
-  });
-  state_.run(stage, cells);
 }
 
 /// Elements at marked points that are poor are improved, and those that are bad still lose layers, until there are

@@ -8,6 +8,9 @@
 
 namespace atria {
 
+/// Improves poor elements of a single layer, and those beside it, before it is divided.
+void flattenTops(ImproverState& state);
+
 class LayerDivision
 {
 public:
@@ -19,7 +22,6 @@ public:
   bool giveWay(const std::vector<ShortCell>& cells);
 
 private:
-  void flattenTops();
   void improveUntilSound(std::vector<char> marked);
   std::vector<ShortCell> improve(const std::vector<char>& marked);
   std::optional<std::vector<char>> takeAway(const std::vector<ShortCell>& cells);

@@ -61,7 +61,11 @@ void enter(ImproverState& state, const RunContext& whole, double begin, double e
 void finishDivided(ImproverState& state, VertexDetachment& detachment, const RunContext& whole)
 {
   enter(state, whole, 0.5, 0.7, "Dividing layers");
-  supportMore(state, detachment);
+  if (!state.walls.settled.areDivided)
+  {
+    flattenTops(state);
+  }
+  supportMore(state, detachment); // flattening may leave elements concave at walls
   LayerDivision division(state);
   division.run();
   enter(state, whole, 0.7, 0.9, "Straightening elements");

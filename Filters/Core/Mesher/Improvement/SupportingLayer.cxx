@@ -12,6 +12,15 @@ namespace atria {
 
 namespace {
 
+/// How many elements wide a layer goes on around one that needs it. It tapers to nothing in the last.
+constexpr int supportRings = 2;
+
+/// True if a point has no layer, but may have one.
+bool mayHaveOne(const ImproverState& state, Index p)
+{
+  return state.excluded[p] && state.walls.counts[p] > 0 && !state.walls.settled.stays(p);
+}
+
 /// The points of the plain mesh at which these elements get a layer now.
 std::vector<char> pointsToDouble(const ImproverState& state, const std::vector<Index>& elements)
 {
@@ -22,39 +31,27 @@ std::vector<char> pointsToDouble(const ImproverState& state, const std::vector<I
     {
       if (!state.layer.isNew(p))
       {
-        chosen[p] = state.excluded[p] && state.walls.counts[p] > 0 && !state.walls.settled.stays(p) ? 1 : 0;
+        chosen[p] = mayHaveOne(state, p) ? 1 : 0;
       }
     }
   }
   return chosen;
 }
 
-/// Marks all points that can have a layer of the surfaces that have a face of which all points are marked, but for
-/// those of surfaces that have it already: where they have none there is no room.
-void markWholeSurfaces(const ImproverState& state, std::vector<char>& points)
+/// Marks the points of faces without requested layers that have a marked one, where they may have a layer.
+void widen(const ImproverState& state, std::vector<char>& points)
 {
-  std::vector<char> wanted(state.options.surfaceCount(), 0);
-  std::vector<char> given(wanted);
-  const auto mayHave = [&](Index p) { return state.walls.counts[p] > 0 && !state.walls.settled.stays(p); };
-  const auto eachFace = [&](auto&& visit) {
-    for (const BoundaryFace& face : state.plain.boundaryFaces)
-    {
-      if (face.tag < state.options.surfaceCount() && state.options.isSupporting(face.tag))
-      {
-        visit(face, cornersOf(state.plain, face));
-      }
-    }
-  };
-  eachFace([&](const BoundaryFace& face, const auto& corners) {
-    wanted[face.tag] |= std::ranges::all_of(corners, [&](Index p) { return points[p] != 0; }) ? 1 : 0;
-    given[face.tag] |= std::ranges::all_of(corners, [&](Index p) { return mayHave(p) && !state.excluded[p]; }) ? 1 : 0;
-  });
-  eachFace([&](const BoundaryFace& face, const auto& corners) {
+  const std::vector<char> given = points;
+  for (const BoundaryFace& face : state.plain.boundaryFaces)
+  {
+    const std::array<Index, 4> corners = cornersOf(state.plain, face);
+    const bool isBeside =
+        state.options.isSupporting(face.tag) && std::ranges::any_of(corners, [&](Index p) { return given[p] != 0; });
     for (const Index p : corners)
     {
-      points[p] |= wanted[face.tag] && !given[face.tag] && state.excluded[p] && mayHave(p) ? 1 : 0;
+      points[p] |= isBeside && mayHaveOne(state, p) ? 1 : 0;
     }
-  });
+  }
 }
 
 } // namespace
@@ -65,10 +62,13 @@ std::vector<char> pointsToSupport(ImproverState& state)
   std::ranges::transform(badOf(state.findShort(targetsOfSupport(state.traits))), std::back_inserter(elements),
                          &ShortCell::cell);
   std::vector<char> points = pointsToDouble(state, elements);
-  markWholeSurfaces(state, points);
   if (std::ranges::find(points, 1) == points.end())
   {
-    points.clear();
+    return {};
+  }
+  for (int ring = 0; ring < supportRings; ++ring)
+  {
+    widen(state, points);
   }
   return points;
 }

@@ -7,8 +7,8 @@
 namespace atria {
 
 /// The points of the plain mesh, marked, that are to have a layer for which none was asked: those of elements that are
-/// concave at walls (see findConcaveAtWalls), and of those with too few neighbors, and all of the surfaces at these.
-/// In patches the layer would taper on all sides. Empty where there are none that can have one.
+/// concave at walls (see findConcaveAtWalls) or have too few neighbors, and those of the faces around them, two faces
+/// wide: in the last one the layer tapers to nothing. Empty where there are none that can have one.
 std::vector<char> pointsToSupport(ImproverState& state);
 
 /// Gives them the layer. The state's focus is on what this changes then.
