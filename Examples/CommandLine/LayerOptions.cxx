@@ -51,6 +51,20 @@ std::string ruleOf(const std::string& pattern, std::string numbers)
   return rule.str();
 }
 
+double firstHeightOf(const LayerOptions& options)
+{
+  if (options.yPlus == 0.0)
+  {
+    return options.firstHeight;
+  }
+  const double height = vtkAtriaDualMesher::ComputeFirstLayerHeight(options.yPlus, options.speed);
+  if (!std::isfinite(height) || height == 0.0)
+  {
+    throw Failure(Usage, "--y-plus: at this --speed no number is its height");
+  }
+  return height;
+}
+
 } // namespace
 
 void declareLayerOptions(CLI::App& command, LayerOptions& options)
@@ -86,7 +100,8 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
                            ->type_name("M/S");
   command
       .add_option("--y-plus", options.yPlus,
-                  "Height of the layer on the wall by the y+ of its middle at --speed: 30 to 300 for wall functions")
+                  "Height of the layer on the wall by the y+ of its middle at --speed: 30 to 300 for wall functions; "
+                  "FIRST of --layers goes before it")
       ->check(positive())
       ->needs(speed)
       ->excludes(height)
@@ -118,9 +133,7 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
 void configureLayers(vtkAtriaDualMesher* mesher, const LayerOptions& options)
 {
   mesher->SetSupportElements(!options.withoutSupport);
-  mesher->SetFirstLayerHeight(options.yPlus > 0.0
-                                  ? vtkAtriaDualMesher::ComputeFirstLayerHeight(options.yPlus, options.speed)
-                                  : options.firstHeight);
+  mesher->SetFirstLayerHeight(firstHeightOf(options));
   mesher->SetLayerGrowth(options.growth);
   mesher->SetTargetNonOrthogonality(options.nonOrthogonality);
   mesher->SetTargetSkewness(options.skewness);

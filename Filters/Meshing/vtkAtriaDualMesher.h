@@ -200,13 +200,14 @@ public:
   /**
    * Layers on the surfaces whose name matches `pattern` (`*` any text, `?` any one character) in place of
    * NumberOfLayers. Height and growth are FirstLayerHeight and LayerGrowth unless given. The last rule that matches
-   * holds. Layers run up to surfaces that have fewer or none, and taper within the first row of elements on these;
-   * without SupportElements they taper before surfaces that have none. A bare
-   * side of the domain has layers if a rule has exactly its name, `xMin` … `zMax`. AddLayerRule takes a rule as text,
-   * `PATTERN LAYERS [FIRSTHEIGHT [GROWTH]]`, the pattern in double quotes if it holds blanks; GetLayerRule returns this
-   * form. With a first height, LAYERS or GROWTH may be `auto`: as many layers, or the growth from 1 to 2, at which the
-   * next layer would be as high as what is left of the elements beside them. A pattern that matches nothing, or a
-   * number out of range, is an error of the run. None by default.
+   * holds. A bare side of the domain has layers if a rule has exactly its name, `xMin` … `zMax`. Layers run up to
+   * surfaces that have fewer or none, and taper on these within a row of elements. Without SupportElements they taper
+   * before surfaces that have none.
+   *
+   * AddLayerRule takes a rule as text, `PATTERN LAYERS [FIRSTHEIGHT [GROWTH]]`, the pattern in double quotes if it
+   * holds blanks; GetLayerRule returns this form. With a first height, LAYERS or GROWTH may be `auto`: as many layers,
+   * or the growth from 1 to 2, at which the next layer would be as high as what is left of the elements beside them. A
+   * pattern that matches nothing, or a number out of range, is an error of the run. None by default.
    */
   void AddLayerRule(const std::string& pattern, int layers);
   void AddLayerRule(const std::string& pattern, int layers, double firstHeight, double growth);

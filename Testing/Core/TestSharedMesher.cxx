@@ -176,10 +176,10 @@ TEST_P(SharedMesher, MeshIsThatOfOneRank)
     DualMeshOptions options;
     options.zoneRule = seed % 2 == 0 ? ZoneRule::all : ZoneRule::outside;
     expectSameOnRanks(surface, gridOf(0.1, 0.2), options, GetParam());
-    for (const int layers : {0, 1, 3})
+    for (const WallLayers& layers : {WallLayers{0}, WallLayers{1}, WallLayers{3}, WallLayers{3, 0.01, 1.2}})
     {
-      SCOPED_TRACE(layers);
-      options.layers = {{"*", {.layers = layers}}};
+      SCOPED_TRACE(::testing::Message() << layers.layers << " from " << layers.firstHeight);
+      options.layers = {{"*", layers}};
       expectSameOnRanks(surface, gridOf(0.1, 0.2), options, GetParam());
     }
   }

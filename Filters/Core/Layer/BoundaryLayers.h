@@ -6,8 +6,8 @@
 
 namespace atria {
 
-/// Returns the number of layers for each point of the plain mesh: the smallest number that the walls around it request,
-/// or 0 if `one` has no layer there.
+/// Returns the number of layers for each point of the plain mesh: `walls.counts`, or what a settled point keeps; 0 if
+/// `one` has no layer there.
 std::vector<Index> layersWanted(const LayerWalls& walls, const LayerMesh& one);
 
 /// Divides the conforming layer: the line from each wall point to its copy becomes a chain of `counts` layers. Its

@@ -96,7 +96,8 @@ template <typename IsBetter> void replaceIf(double& value, double candidate, IsB
   }
 }
 
-/// Returns the thickness that is requested at the points of `elements`; infinity elsewhere.
+/// Returns the requested thickness at each point. Without a first height it is infinite at points that are not of
+/// `elements`.
 std::vector<double> thicknesses(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Index>& counts,
                                 const std::vector<Index>& elements, const LayerOptions& options,
                                 const RunContext& context)

@@ -37,7 +37,7 @@ public:
     for (LayerCoverage& surface : ofTag)
     {
       surface.thickness = surface.layered > 0.0 ? surface.thickness / surface.layered : 0.0;
-      surface.firstHeight = surface.area > 0.0 ? surface.firstHeight / surface.area : 0.0;
+      surface.firstHeight = surface.area > 0.0 ? lengthUnit() * surface.firstHeight / surface.area : 0.0;
     }
     addSheets(ofTag);
     for (std::size_t tag = 0; tag < ofTag.size(); ++tag)
@@ -87,6 +87,9 @@ private:
     return options.areaUnit > 0.0 ? options.areaUnit * std::round(area / options.areaUnit) : area;
   }
 
+  /// Returns the length by which volumes are divided to be summed like areas: about the domain's longest side.
+  double lengthUnit() const { return options.areaUnit > 0.0 ? std::sqrt(options.areaUnit) * 0x1p22 : 1.0; }
+
   /// Returns the area of a wall face times the mean distance of its element's corners from it.
   double volumeUnder(const BoundaryFace& face, const Vec3& areaVector) const
   {
@@ -127,7 +130,7 @@ private:
     out.counts[f] = static_cast<std::int32_t>(most);
     out.thicknesses[f] = got;
     surface.area += inUnits(area);
-    surface.firstHeight += inUnits(2.0 * volumeUnder(face, areaVector));
+    surface.firstHeight += inUnits(2.0 * volumeUnder(face, areaVector) / lengthUnit());
     if (most > 0)
     {
       surface.layered += inUnits(area);

@@ -12,7 +12,8 @@ namespace atria {
 struct LayerCoverage
 {
   std::string surface;
-  /// Number of layers requested; 0 if the surface has a layer only at elements that cannot be valid without.
+  /// Number of layers requested; 0 if the surface has layers only at elements that cannot be valid without, or where
+  /// those of other walls end on it.
   int layers = 0;
   /// Area of all its faces, of faces with elements of a layer, and of faces with elements of all layers; square model
   /// units. Elements may thin out to nothing at a corner or edge of such a face.
@@ -40,7 +41,7 @@ struct LayerReport
   /// across the face (mean of the corners, model units); 0 if there are none.
   std::vector<std::int32_t> counts;
   std::vector<double> thicknesses;
-  /// Surfaces and bare sides that have faces and were to get layers, or whose elements needed one.
+  /// Surfaces and bare sides that have faces and were to get layers, or have some.
   std::vector<LayerCoverage> surfaces;
   ThinLayers thin;
 };

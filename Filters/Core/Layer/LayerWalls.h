@@ -22,7 +22,7 @@ struct LayerOptions
 {
   /// One entry per tag; see resolveLayerRules and fitted().
   std::vector<WallLayers> ofTag;
-  /// True if determinants of cells fail on all walls with a first height, as layers are as thin as requested.
+  /// True if no wall with a first height can pass the determinant check, as its layers are as thin as requested.
   bool failsDeterminants = false;
   /// Normals of the domain's sides by number, unit vectors; along the axes unless the domain is turned.
   std::vector<Vec3> sideNormals{-Vec3::UnitX(), Vec3::UnitX(),  -Vec3::UnitY(),
@@ -84,8 +84,8 @@ struct LayerWalls
 /// - the point is on no surface without layers.
 LayerWalls findLayerWalls(const DualMesh& mesh, const LayerOptions& options, const RunContext& context);
 
-/// Returns the layers requested at each point: those of the wall with the most. Of several with as many it is the
-/// smallest first height, of those that are given, and the smallest growth.
+/// Returns the layers requested at each point: those of the wall that requests most. If several walls request that
+/// many, the smallest given first height and the smallest growth hold.
 std::vector<WallLayers> layersAskedAt(const DualMesh& mesh, const LayerWalls& walls, const LayerOptions& options);
 
 /// Returns the area vector of a boundary face, into the fluid.

@@ -171,8 +171,8 @@ void orderFaces(ImprovedMesh& improved)
 
 /// Improves the mesh as a whole or in blocks.
 ImprovedLayer improve(ClassifiedMesh& given, const LayerWalls& walls, const LayerOptions& options,
-                      const CurvedWallTargets& curvedWalls, const std::optional<OctreeBlocks>& blocks, MeshPort& port,
-                      const MeshingContext& context)
+                      const FlatLayers& flat, const CurvedWallTargets& curvedWalls,
+                      const std::optional<OctreeBlocks>& blocks, MeshPort& port, const MeshingContext& context)
 {
   if (!blocks)
   {
@@ -180,6 +180,7 @@ ImprovedLayer improve(ClassifiedMesh& given, const LayerWalls& walls, const Laye
   }
   MeshTraits traits = traitsOf(given.mesh, options);
   traits.uniform = false; // no crease sheets
+  traits.flat = flat;     // other processes have other parts of the mesh
   const ImprovedBlocks improved = [&] {
     const BlockPlan plan = port.plan(given, *blocks, context);
     return improveBlocks(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls, traits,
@@ -238,10 +239,11 @@ ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, Me
   const bool onGround = isAnywhere(hasGround(given.mesh, surfaceCount), port.exchange());
   LayerOptions whole = layerOptionsOf(wallOptions, onGround, context);
   const ThinLayers thin = fitLayers(whole, port, context);
+  const FlatLayers flat = flatLayersOfAll(whole, port, context);
   const LayerOptions options = port.withBorder(std::move(whole));
   const LayerWalls walls = prepareWalls(given, options, context);
   auto [layer, detached, failing, sizes] =
-      improve(given, walls, options, wallOptions.curvedWalls, blocks, port, context);
+      improve(given, walls, options, flat, wallOptions.curvedWalls, blocks, port, context);
   out.layers = reportLayers(layer, walls, sizes, options, context.model.names, port.part(given.mesh, layer));
   out.layers.thin = thin;
   out.mesh = std::move(layer.mesh);

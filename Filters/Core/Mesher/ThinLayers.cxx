@@ -5,6 +5,7 @@
 #include "Layer/LayerHeights.h"
 #include "Layer/TypicalSizes.h"
 #include "Quality/Checks/CheckLimits.h"
+#include "Support/Error.h"
 #include "Support/Text.h"
 
 #include <algorithm>
@@ -33,6 +34,24 @@ bool failsDeterminant(const FlatLayers& flat)
   return flat.determinantRoot < std::sqrt(std::sqrt(checkLimits::determinant));
 }
 
+bool hasHeight(const WallLayers& layers) { return layers.layers > 0 && layers.firstHeight > 0.0; }
+
+std::vector<WallSize> sizesOf(const MeshPort& port, const MeshingContext& context)
+{
+  return typicalSizes(context.octree, context.model, context, port.ownLeaves(context.octree), port.exchange());
+}
+
+void checkHeight(const WallLayers& layers, const std::string& surface, double domainSize)
+{
+  if (layers.firstHeight > domainSize)
+  {
+    std::ostringstream text;
+    text << "layers on '" << surface << "': the first height of " << layers.firstHeight
+         << " m exceeds the domain, which is " << domainSize << " m long";
+    throw Error(text.str());
+  }
+}
+
 /// Returns the names of the checks that fail on a flat wall with these measures.
 std::vector<std::string> failingOn(const FlatLayers& flat)
 {
@@ -49,8 +68,8 @@ std::vector<std::string> failingOn(const FlatLayers& flat)
   return names;
 }
 
-/// Says what would pass checks in place of layers. Only a height of their own helps thin elements, and only as many as
-/// grow to the size of the elements beside them help those.
+/// Says what would pass the checks. Thin elements need a higher first layer. A jump in size needs layers that grow to
+/// the size of the elements beside them.
 std::string adviceOn(const WallLayers& layers, double size, const std::vector<std::string>& checks)
 {
   WallLayers more = layers;
@@ -58,11 +77,17 @@ std::string adviceOn(const WallLayers& layers, double size, const std::vector<st
   const std::string enough = std::to_string(fitted(more, size).layers) + " layers";
   const bool areLow = checks.front() == "Determinant";
   const bool jump = checks.back() != "Determinant";
-  return "ask for " +
-         (!areLow ? enough + ", for a growth that fits ('auto' in its place)"
-          : jump  ? "a higher first layer and so many that they grow to these"
-                  : "a higher first layer") +
-         ", or for smaller elements there";
+  const bool grows = layers.growth > 1.0;
+  std::string text = areLow ? "a higher first layer" : grows ? enough : "a growth above 1";
+  if (areLow && jump)
+  {
+    text += grows ? " and so many that they grow to these" : " and a growth above 1";
+  }
+  else if (!areLow && layers.growth < maximumGrowth)
+  {
+    text += ", for a growth that fits ('auto' in its place)";
+  }
+  return "ask for " + text + ", or for smaller elements there";
 }
 
 /// Says which layers are thin, by the worst of them, and what to do.
@@ -92,30 +117,32 @@ ThinLayers fitLayers(LayerOptions& options, const MeshPort& port, const MeshingC
   {
     return out;
   }
-  const Octree& octree = context.octree;
-  const std::vector<WallSize> sizes =
-      typicalSizes(octree, context.model, context, port.ownLeaves(octree), port.exchange());
+  const GridFrame& frame = context.octree.frame();
+  const std::vector<WallSize> sizes = sizesOf(port, context);
   FlatLayers atLargest;
   bool anyPasses = false;
   std::vector<Wall> thin;
   for (Index tag = 0; tag < sizes.size(); ++tag)
   {
     WallLayers& layers = options.ofTag[tag];
-    if (layers.layers == 0 || layers.firstHeight == 0.0)
+    if (!hasHeight(layers))
     {
       continue;
     }
+    checkHeight(layers, tagName(tag, context.model.names), frame.domain.size().maxCoeff());
     const bool hasOctants = sizes[tag].typical > 0.0;
-    layers = fitted(layers, hasOctants ? sizes[tag].typical : octree.frame().finestSize);
-    if (hasOctants)
+    layers = fitted(layers, hasOctants ? sizes[tag].typical : frame.finestSize);
+    if (!hasOctants)
     {
-      anyPasses = anyPasses || !failsDeterminant(flatLayers(layers, sizes[tag].typical));
-      const FlatLayers largest = flatLayers(layers, sizes[tag].largest);
-      atLargest.lower(largest);
-      if (!failingOn(largest).empty())
-      {
-        thin.push_back({tag, layers, sizes[tag].largest});
-      }
+      continue;
+    }
+    anyPasses = anyPasses || !failsDeterminant(flatLayers(layers, sizes[tag].typical));
+    const FlatLayers flat = flatLayers(layers, sizes[tag].largest);
+    const Wall wall{tag, layers, sizes[tag].largest};
+    if (wall.jump() > 1.0 && !failingOn(flat).empty())
+    {
+      atLargest.lower(flat);
+      thin.push_back(wall);
     }
   }
   options.failsDeterminants = !thin.empty() && !anyPasses;
@@ -125,6 +152,25 @@ ThinLayers fitLayers(LayerOptions& options, const MeshPort& port, const MeshingC
     out.failingChecks = failingOn(atLargest);
     out.note = noteOn(worst, thin.size() - 1, tagName(worst.tag, context.model.names), out.failingChecks);
   }
+  return out;
+}
+
+FlatLayers flatLayersOfAll(const LayerOptions& options, const MeshPort& port, const MeshingContext& context)
+{
+  FlatLayers out;
+  if (!options.hasHeights())
+  {
+    return out;
+  }
+  const std::vector<WallSize> sizes = sizesOf(port, context);
+  for (Index tag = 0; tag < sizes.size(); ++tag)
+  {
+    if (hasHeight(options.ofTag[tag]) && sizes[tag].typical > 0.0)
+    {
+      out.lower(flatLayers(options.ofTag[tag], sizes[tag].typical));
+    }
+  }
+  out.determinantRoot = options.failsDeterminants ? 0.0 : out.determinantRoot;
   return out;
 }
 

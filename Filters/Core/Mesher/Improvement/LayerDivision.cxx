@@ -15,7 +15,8 @@ namespace atria {
 
 namespace {
 
-/// How many more layers a point may have than others of its wall faces, where some were taken away.
+/// How many more layers a point may have than others of its wall faces, where some were taken away; as many more as
+/// requested in any case.
 constexpr Index greatestStep = 4;
 
 /// Marks the points of cells that are to lose layers: where they have different numbers, those with more. Settled
@@ -218,16 +219,22 @@ void LayerDivision::lowerNeighbors()
     for (const Index f : one_.wallFaces)
     {
       const std::array<Index, 4> points = cornersOf(state_.plain, state_.plain.boundaryFaces[f]);
-      Index fewest = noIndex;
+      Index fewest = noIndex, fewestWanted = noIndex, mostWanted = 0;
       for (const Index p : points)
       {
-        fewest = counts_[p] > 0 ? std::min(fewest, counts_[p]) : fewest;
-      }
-      for (const Index p : points)
-      {
-        if (fewest != noIndex && counts_[p] > fewest + greatestStep && !state_.walls.settled.stays(p))
+        if (counts_[p] > 0)
         {
-          counts_[p] = fewest + greatestStep;
+          fewest = std::min(fewest, counts_[p]);
+          fewestWanted = std::min(fewestWanted, wanted_[p]);
+          mostWanted = std::max(mostWanted, wanted_[p]);
+        }
+      }
+      const Index step = fewest == noIndex ? 0 : std::max(greatestStep, mostWanted - fewestWanted);
+      for (const Index p : points)
+      {
+        if (fewest != noIndex && counts_[p] > fewest + step && !state_.walls.settled.stays(p))
+        {
+          counts_[p] = fewest + step;
           isLowered = true;
         }
       }

@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// How many elements wide a layer goes on around one that needs it. It tapers to nothing in the last.
+/// Width, in wall faces, of the layer around an element that needs one. The layer tapers to nothing in the last.
 constexpr int supportRings = 2;
 
 /// True if a point has no layer, but may have one.

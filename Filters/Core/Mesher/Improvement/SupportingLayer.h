@@ -6,9 +6,9 @@
 
 namespace atria {
 
-/// The points of the plain mesh, marked, that are to have a layer for which none was asked: those of elements that are
-/// concave at walls (see findConcaveAtWalls) or have too few neighbors, and those of the faces around them, two faces
-/// wide: in the last one the layer tapers to nothing. Empty where there are none that can have one.
+/// Returns marks of the plain mesh's points that are to get a layer nobody requested: those of elements that are
+/// concave at walls (findConcaveAtWalls) or have too few neighbors, and those of two rows of faces around them. The
+/// layer tapers to nothing in the outer row. Empty if no point can have one.
 std::vector<char> pointsToSupport(ImproverState& state);
 
 /// Gives them the layer. The state's focus is on what this changes then.
