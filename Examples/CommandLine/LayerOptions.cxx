@@ -60,7 +60,7 @@ double firstHeightOf(const LayerOptions& options)
   const double height = vtkAtriaDualMesher::ComputeFirstLayerHeight(options.yPlus, options.speed);
   if (!std::isfinite(height) || height == 0.0)
   {
-    throw Failure(Usage, "--y-plus: at this --speed no number is its height");
+    throw Failure(Usage, "--y-plus has no finite height above 0 at this --speed");
   }
   return height;
 }

@@ -66,8 +66,8 @@ std::string hiddenDetailText(const Json& hidden, const std::string& before);
 
 /// Returns [{surface, layers, area, covered, covered_in_full, thickness, first_height}] from the field arrays Layer… of
 /// the mesher's diagnostics: shares of the area, the thickness reached relative to the one requested, and the height of
-/// the elements on the wall. With a speed, m/s, there is `y_plus` too.
-Json layersOf(vtkPolyData* diagnostics, double speed = 0.0);
+/// the elements on the wall. With a speed in m/s, above 0, there is `y_plus` too.
+Json layersOf(vtkPolyData* diagnostics, double speed);
 /// Returns the comparison of mesh and model: `surfaces`, `volumes` and `warnings`.
 Json auditOf(vtkPolyData* diagnostics);
 /// Prints a table; nothing if no layers were requested.

@@ -68,8 +68,7 @@ FlatLayers flatLayers(const DualMesh& mesh, const LayerOptions& options)
   std::vector<std::vector<double>> sizes(options.ofTag.size());
   for (const BoundaryFace& face : mesh.boundaryFaces)
   {
-    const WallLayers& layers = options.ofTag[face.tag];
-    if (layers.layers > 0 && layers.firstHeight > 0.0)
+    if (options.ofTag[face.tag].hasHeight())
     {
       sizes[face.tag].push_back(std::sqrt(wallNormal(mesh, face).norm()));
     }

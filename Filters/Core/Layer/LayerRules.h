@@ -23,6 +23,8 @@ struct WallLayers
   double firstHeight = 0.0;
   /// Ratio of each layer's height to that of the one below it, 0.5 to 5.
   double growth = 1.2;
+
+  bool hasHeight() const { return layers > 0 && firstHeight > 0.0; }
   bool operator==(const WallLayers&) const = default;
 };
 

@@ -40,6 +40,7 @@ struct LayerOptions
 
   SupportingLayer supportOf(Index tag) const { return supporting.empty() ? SupportingLayer::none : supporting[tag]; }
   bool isSupporting(Index tag) const { return supportOf(tag) != SupportingLayer::none; }
+  /// True if layers are requested on a tag.
   bool isAsked(Index tag) const { return ofTag[tag].layers > 0 && !isSupporting(tag); }
   /// True if a layer is requested anywhere.
   bool isAsked() const
@@ -53,10 +54,7 @@ struct LayerOptions
     return std::ranges::any_of(ofTag, [](const WallLayers& wall) { return wall.layers > 1; });
   }
   /// True if layers with a first height are requested anywhere.
-  bool hasHeights() const
-  {
-    return std::ranges::any_of(ofTag, [](const WallLayers& wall) { return wall.layers > 0 && wall.firstHeight > 0.0; });
-  }
+  bool hasHeights() const { return std::ranges::any_of(ofTag, &WallLayers::hasHeight); }
 };
 
 enum class FaceRole : std::uint8_t

@@ -178,9 +178,8 @@ ImprovedLayer improve(ClassifiedMesh& given, const LayerWalls& walls, const Laye
   {
     return improveLayer(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls);
   }
-  MeshTraits traits = traitsOf(given.mesh, options);
-  traits.uniform = false; // no crease sheets
-  traits.flat = flat;     // other processes have other parts of the mesh
+  MeshTraits traits = traitsOf(given.mesh, options, flat); // not by faces: other processes have others
+  traits.uniform = false;                                  // no crease sheets
   const ImprovedBlocks improved = [&] {
     const BlockPlan plan = port.plan(given, *blocks, context);
     return improveBlocks(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls, traits,
@@ -238,14 +237,13 @@ ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, Me
   const auto surfaceCount = static_cast<Index>(context.model.names.size());
   const bool onGround = isAnywhere(hasGround(given.mesh, surfaceCount), port.exchange());
   LayerOptions whole = layerOptionsOf(wallOptions, onGround, context);
-  const ThinLayers thin = fitLayers(whole, port, context);
-  const FlatLayers flat = flatLayersOfAll(whole, port, context);
+  const FittedLayers fit = fitLayers(whole, port, context);
   const LayerOptions options = port.withBorder(std::move(whole));
   const LayerWalls walls = prepareWalls(given, options, context);
   auto [layer, detached, failing, sizes] =
-      improve(given, walls, options, flat, wallOptions.curvedWalls, blocks, port, context);
+      improve(given, walls, options, fit.flat, wallOptions.curvedWalls, blocks, port, context);
   out.layers = reportLayers(layer, walls, sizes, options, context.model.names, port.part(given.mesh, layer));
-  out.layers.thin = thin;
+  out.layers.thin = fit.thin;
   out.mesh = std::move(layer.mesh);
   out.detached = std::move(detached);
   port.takeLayer(std::move(given.mesh), std::move(layer));

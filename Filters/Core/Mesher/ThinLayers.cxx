@@ -34,13 +34,6 @@ bool failsDeterminant(const FlatLayers& flat)
   return flat.determinantRoot < std::sqrt(std::sqrt(checkLimits::determinant));
 }
 
-bool hasHeight(const WallLayers& layers) { return layers.layers > 0 && layers.firstHeight > 0.0; }
-
-std::vector<WallSize> sizesOf(const MeshPort& port, const MeshingContext& context)
-{
-  return typicalSizes(context.octree, context.model, context, port.ownLeaves(context.octree), port.exchange());
-}
-
 void checkHeight(const WallLayers& layers, const std::string& surface, double domainSize)
 {
   if (layers.firstHeight > domainSize)
@@ -110,22 +103,23 @@ std::string noteOn(const Wall& worst, std::size_t others, const std::string& nam
 
 } // namespace
 
-ThinLayers fitLayers(LayerOptions& options, const MeshPort& port, const MeshingContext& context)
+FittedLayers fitLayers(LayerOptions& options, const MeshPort& port, const MeshingContext& context)
 {
-  ThinLayers out;
+  FittedLayers out;
   if (!options.hasHeights())
   {
     return out;
   }
   const GridFrame& frame = context.octree.frame();
-  const std::vector<WallSize> sizes = sizesOf(port, context);
+  const std::vector<WallSize> sizes =
+      typicalSizes(context.octree, context.model, context, port.ownLeaves(context.octree), port.exchange());
   FlatLayers atLargest;
   bool anyPasses = false;
   std::vector<Wall> thin;
   for (Index tag = 0; tag < sizes.size(); ++tag)
   {
     WallLayers& layers = options.ofTag[tag];
-    if (!hasHeight(layers))
+    if (!layers.hasHeight())
     {
       continue;
     }
@@ -136,12 +130,14 @@ ThinLayers fitLayers(LayerOptions& options, const MeshPort& port, const MeshingC
     {
       continue;
     }
-    anyPasses = anyPasses || !failsDeterminant(flatLayers(layers, sizes[tag].typical));
-    const FlatLayers flat = flatLayers(layers, sizes[tag].largest);
+    const FlatLayers typical = flatLayers(layers, sizes[tag].typical);
+    out.flat.lower(typical);
+    anyPasses = anyPasses || !failsDeterminant(typical);
+    const FlatLayers largest = flatLayers(layers, sizes[tag].largest);
     const Wall wall{tag, layers, sizes[tag].largest};
-    if (wall.jump() > 1.0 && !failingOn(flat).empty())
+    if (wall.jump() > 1.0 && !failingOn(largest).empty())
     {
-      atLargest.lower(flat);
+      atLargest.lower(largest);
       thin.push_back(wall);
     }
   }
@@ -149,28 +145,9 @@ ThinLayers fitLayers(LayerOptions& options, const MeshPort& port, const MeshingC
   if (!thin.empty())
   {
     const Wall& worst = *std::ranges::max_element(thin, {}, &Wall::jump);
-    out.failingChecks = failingOn(atLargest);
-    out.note = noteOn(worst, thin.size() - 1, tagName(worst.tag, context.model.names), out.failingChecks);
+    out.thin.failingChecks = failingOn(atLargest);
+    out.thin.note = noteOn(worst, thin.size() - 1, tagName(worst.tag, context.model.names), out.thin.failingChecks);
   }
-  return out;
-}
-
-FlatLayers flatLayersOfAll(const LayerOptions& options, const MeshPort& port, const MeshingContext& context)
-{
-  FlatLayers out;
-  if (!options.hasHeights())
-  {
-    return out;
-  }
-  const std::vector<WallSize> sizes = sizesOf(port, context);
-  for (Index tag = 0; tag < sizes.size(); ++tag)
-  {
-    if (hasHeight(options.ofTag[tag]) && sizes[tag].typical > 0.0)
-    {
-      out.lower(flatLayers(options.ofTag[tag], sizes[tag].typical));
-    }
-  }
-  out.determinantRoot = options.failsDeterminants ? 0.0 : out.determinantRoot;
   return out;
 }
 

@@ -10,13 +10,16 @@
 
 namespace atria {
 
-/// Completes requested layers with a first height by the sizes of the elements beside them (fitted()), and tells
-/// whether determinants fail on all their walls. Returns which checks fail on any wall with such heights, and a note on
-/// them. All processes get the same. Does nothing if no first height is requested.
-ThinLayers fitLayers(LayerOptions& options, const MeshPort& port, const MeshingContext& context);
+struct FittedLayers
+{
+  ThinLayers thin;
+  /// The lowest measures of layers with a first height on flat walls, beside octants of the usual size of each.
+  FlatLayers flat;
+};
 
-/// Returns the lowest measures that layers with a first height have on flat walls, by the sizes of octants: all
-/// processes get the same. `options` were completed by fitLayers().
-FlatLayers flatLayersOfAll(const LayerOptions& options, const MeshPort& port, const MeshingContext& context);
+/// Completes requested layers with a first height by the sizes of the octants beside them (fitted()), and tells whether
+/// determinants fail on all their walls. Returns what the heights bring. All processes get the same. Does nothing if no
+/// first height is requested. Throws Error for one that exceeds the domain.
+FittedLayers fitLayers(LayerOptions& options, const MeshPort& port, const MeshingContext& context);
 
 } // namespace atria

@@ -9,9 +9,8 @@
 
 namespace atria {
 
-MeshTraits traitsOf(const DualMesh& plain, const LayerOptions& options)
+MeshTraits traitsOf(const DualMesh& plain, const LayerOptions& options, FlatLayers flat)
 {
-  FlatLayers flat = flatLayers(plain, options);
   flat.determinantRoot = options.failsDeterminants ? 0.0 : flat.determinantRoot;
   return {.layered = std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; }),
           .asked = options.isAsked(),

@@ -10,7 +10,7 @@
 
 namespace atria {
 
-MeshTraits traitsOf(const DualMesh& plain, const LayerOptions& options);
+MeshTraits traitsOf(const DualMesh& plain, const LayerOptions& options, FlatLayers flat);
 
 /// A mesh with the layer on its walls, where its points may go, and what its cells fall short by. Stages move points by
 /// `run`; what else changes the mesh says which cells are outdated.

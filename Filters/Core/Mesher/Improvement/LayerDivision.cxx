@@ -219,27 +219,33 @@ void LayerDivision::lowerNeighbors()
     for (const Index f : one_.wallFaces)
     {
       const std::array<Index, 4> points = cornersOf(state_.plain, state_.plain.boundaryFaces[f]);
-      Index fewest = noIndex, fewestWanted = noIndex, mostWanted = 0;
+      const Index most = mostOn(points);
       for (const Index p : points)
       {
-        if (counts_[p] > 0)
+        if (counts_[p] > most && !state_.walls.settled.stays(p))
         {
-          fewest = std::min(fewest, counts_[p]);
-          fewestWanted = std::min(fewestWanted, wanted_[p]);
-          mostWanted = std::max(mostWanted, wanted_[p]);
-        }
-      }
-      const Index step = fewest == noIndex ? 0 : std::max(greatestStep, mostWanted - fewestWanted);
-      for (const Index p : points)
-      {
-        if (fewest != noIndex && counts_[p] > fewest + step && !state_.walls.settled.stays(p))
-        {
-          counts_[p] = fewest + step;
+          counts_[p] = most;
           isLowered = true;
         }
       }
     }
   }
+}
+
+/// Returns how many layers a point of a wall face may have beside those of the others.
+Index LayerDivision::mostOn(const std::array<Index, 4>& points) const
+{
+  Index fewest = noIndex, fewestWanted = noIndex, mostWanted = 0;
+  for (const Index p : points)
+  {
+    if (counts_[p] > 0)
+    {
+      fewest = std::min(fewest, counts_[p]);
+      fewestWanted = std::min(fewestWanted, wanted_[p]);
+      mostWanted = std::max(mostWanted, wanted_[p]);
+    }
+  }
+  return fewest == noIndex ? 0 : fewest + std::max(greatestStep, mostWanted - fewestWanted);
 }
 
 bool LayerDivision::isHeld(const ShortCell& cell) const

@@ -27,6 +27,7 @@ private:
   std::optional<std::vector<char>> takeAway(const std::vector<ShortCell>& cells);
   void lower(const std::vector<ShortCell>& cells);
   void lowerNeighbors();
+  Index mostOn(const std::array<Index, 4>& points) const;
   bool isHeld(const ShortCell& cell) const;
   void restore(const std::vector<ShortCell>& cells, const std::vector<Index>& counts, std::vector<char>& changed);
 

@@ -146,7 +146,8 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
                            const std::vector<Index>& vertexOf, DualMesh& plain, const LayerWalls& walls,
                            const LayerOptions& options, const CurvedWallTargets& curvedWalls)
 {
-  ImproverState state(context, classification, vertexOf, plain, walls, options, traitsOf(plain, options));
+  ImproverState state(context, classification, vertexOf, plain, walls, options,
+                      traitsOf(plain, options, flatLayers(plain, options)));
   LayerImprover improver(state, curvedWalls);
   improver.improveWhole();
   improver.finish();
