@@ -12,6 +12,9 @@
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <ClimateTable.h>
+#include <Support/Error.h>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -20,6 +23,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 namespace atria::tool {
@@ -46,7 +50,8 @@ struct Options
   double speed = 0.0, height = 0.0, roughness = 0.0, north = 0.0, pedestrian = 0.0;
   std::vector<double> wind;
   std::vector<double> from;
-  int rose = 0, iterations = 0, processors = 0;
+  std::string rose; ///< a number, or the file of a climate's table
+  int iterations = 0, processors = 0;
   double inletSpeed = 0.0, inletFlow = 0.0;
   std::string kind, turbulence, dialect;
   bool age = false;
@@ -59,12 +64,37 @@ constexpr const char* examples = R"(Examples:
       wind of 4 m/s at 10 m over suburbs, along the domain from xMin to xMax
   atria case house.vtu -o case --rose 12 --processors 4
       twelve directions, which share the mesh; each runs on four processors
+  atria case house.vtu -o case --rose climate.csv
+      the directions of a table of `atria climate` that wind comes from
   atria case openfoam -o case --from 225 --turbulence k-omega-sst --patch 'Glass*' slip
       the mesh of an OpenFOAM case, wind from the southwest, another model of turbulence, walls without friction
   atria case room.vtu -o case --inlet-flow 0.05 --age-of-air
       a room, whose openings are called Inlet and Outlet, or Supply_1 and Exhaust: 50 l/s through each inlet
   atria case room.vtu -o case --patch East inlet:0.5m/s --patch West outlet
       a room whose openings have other names))";
+
+/// Returns the number of directions that --rose gives; nothing if it names a file.
+std::optional<int> roseNumber(const std::string& text)
+{
+  double number = 0.0;
+  return readNumber(text, number) ? std::optional(static_cast<int>(number)) : std::nullopt;
+}
+
+/// Accepts a whole number in a range, or the name of a file that exists.
+CLI::Validator numberOrFile(int least, int most)
+{
+  return CLI::Validator(
+      [=](std::string& input) {
+        double number = 0.0;
+        const bool isNumber = readNumber(input, number);
+        const bool fits =
+            isNumber ? number >= least && number <= most && number == std::floor(number) : fs::is_regular_file(input);
+        return fits ? std::string()
+                    : "'" + input + "' is neither a whole number from " + std::to_string(least) + " to " +
+                          std::to_string(most) + " nor a file";
+      },
+      "");
+}
 
 void declareWind(CLI::App& command, Options& options)
 {
@@ -91,11 +121,15 @@ void declareWind(CLI::App& command, Options& options)
                    ->check(numberIn(0.0, 360.0))
                    ->type_name("DEG");
   from->excludes(wind);
-  command.add_option("--rose", options.rose, "Runs for this many directions at equal steps, the first from north")
-      ->check(numberIn(standard->GetNumberOfRoseDirectionsMinValue(), standard->GetNumberOfRoseDirectionsMaxValue()))
+  command
+      .add_option("--rose", options.rose,
+                  "Runs for this many directions at equal steps, the first from north; or for those with a frequency "
+                  "above 0 in a table of `atria climate`")
+      ->check(
+          numberOrFile(standard->GetNumberOfRoseDirectionsMinValue(), standard->GetNumberOfRoseDirectionsMaxValue()))
       ->excludes(wind)
       ->excludes(from)
-      ->type_name("N");
+      ->type_name("N|FILE.csv");
   command.add_option("--north", options.north, "Where north lies, degrees from y, counterclockwise from above")
       ->capture_default_str()
       ->check(numberIn(-360.0, 360.0))
@@ -188,6 +222,31 @@ int numberOf(const Words& words, const std::string& word)
   return static_cast<int>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 
+/// Sets where the wind comes from: equal steps, directions of a table, or single ones. Throws Failure for a table that
+/// cannot be read.
+void setDirections(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options)
+{
+  const std::optional<int> steps = options.rose.empty() ? 0 : roseNumber(options.rose);
+  std::vector<double> origins = options.from;
+  try
+  {
+    origins = steps ? origins : weather::directionsOf(weather::readClimateTable(options.rose));
+  }
+  catch (const Error& error)
+  {
+    throw Failure(BadInput, std::string("--rose: ") + error.what());
+  }
+  writer->SetNumberOfRoseDirections(steps.value_or(0));
+  for (const double angle : options.wind)
+  {
+    writer->AddWindAngle(angle);
+  }
+  for (const double from : origins)
+  {
+    writer->AddWindAngle(std::remainder(270.0 + options.north - from, 360.0));
+  }
+}
+
 void configure(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, const CLI::App& command)
 {
   writer->SetKind(numberOf(kinds, options.kind));
@@ -201,15 +260,7 @@ void configure(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, const
   writer->SetReferenceHeight(options.height);
   writer->SetRoughnessLength(options.roughness);
   writer->SetNorthAngle(options.north);
-  writer->SetNumberOfRoseDirections(options.rose);
-  for (const double angle : options.wind)
-  {
-    writer->AddWindAngle(angle);
-  }
-  for (const double from : options.from)
-  {
-    writer->AddWindAngle(std::remainder(270.0 + options.north - from, 360.0));
-  }
+  setDirections(writer, options);
   writer->SetTurbulenceModel(numberOf(turbulenceModels, options.turbulence));
   writer->SetDialect(numberOf(dialects, options.dialect));
   writer->SetNumberOfIterations(options.iterations);

@@ -47,6 +47,7 @@ void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addQualityCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addImproveCommand(CLI::App& app, Console& console, const Workers& workers, ExitStatus& status);
 void addConvertCommand(CLI::App& app, Console& console, const Workers& workers, ExitStatus& status);
+void addClimateCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addCaseCommand(CLI::App& app, Console& console, ExitStatus& status);
 /// Adds the subcommand that continues as another program; that program's exit status is the result.
 void addReportCommand(CLI::App& app);

@@ -79,6 +79,7 @@ int runProgram(int argc, char** argv, const atria::tool::Workers& workers)
   addQualityCommand(app, console, status);
   addImproveCommand(app, console, workers, status);
   addConvertCommand(app, console, workers, status);
+  addClimateCommand(app, console, status);
   addCaseCommand(app, console, status);
   addReportCommand(app);
   addDocuments(app);
