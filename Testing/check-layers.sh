@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Dependencies go one way: the core knows no VTK, filters and readers or writers do not know each other, and a room of
-# the core includes only itself and those before it, so that there is no cycle. No two types of a namespace have one name,
-# and no message names an option.
+# the core includes only itself and those before it, so that there is no cycle. Weather files are read without VTK. No two
+# types of a namespace have one name, and no message names an option.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -26,6 +26,9 @@ headers_in() {
 forbid Filters/Core '(.*/)?vtk[A-Z]' 'Filters/Core must not include VTK:'
 forbid Filters/Core "($(headers_in Filters/Bridge))" 'Filters/Core must not include the bridge to VTK:'
 forbid IO "($(headers_in Filters/Meshing Filters/Quality))" 'IO must not include filters:'
+forbid IO/Weather '(.*/)?vtk[A-Z]' 'IO/Weather must not include VTK:'
+forbid IO/Weather "($(headers_in Filters/Bridge IO/CFD IO/Model IO/Surface IO/VRML)|CLI/)" 'IO/Weather must not include the bridge to VTK, other readers or the command line:'
+forbid IO/Weather '(Grid|Surface|Domain|Octree|Dual|Layer|Audit|Quality|Optimize|Mesher|Ranks)/' 'IO/Weather must include no more of the core than Support:'
 forbid Filters "($(headers_in IO))" 'Filters must not include IO:'
 # CGAL is slow to compile: only the few sources that need it include it.
 cgal=$(grep -rnE --include='*.h' '^[[:space:]]*#[[:space:]]*include[[:space:]]*<CGAL/' Filters IO || true)

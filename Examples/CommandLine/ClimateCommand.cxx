@@ -179,7 +179,7 @@ std::string wordsOn(const Options& options)
   const auto add = [&]() -> std::ostream& { return words << (words.tellp() > 0 ? ", " : ""); };
   if (!options.temperature.empty())
   {
-    add() << options.temperature[0] << " to " << options.temperature[1] << " C";
+    add() << options.temperature[0] << " to " << options.temperature[1] << " °C";
   }
   if (!options.hours.empty())
   {

@@ -15,6 +15,9 @@ namespace {
 
 using weather::RoseSector;
 
+/// NEN 8100 judges comfort by the hours above this speed, m/s.
+constexpr double comfortSpeed = 5.0;
+
 /// Returns an integer with commas between thousands.
 std::string withCommas(std::size_t number)
 {
@@ -72,6 +75,8 @@ void printRose(const weather::WindRose& rose)
   }
   std::printf("%6s %7s %11.1f %11.2f %7.2f\n", "all", withCommas(rose.hours - rose.calms).c_str(), 100.0,
               rose.whole.scale, rose.whole.shape);
+  std::printf("Above %g m/s: %.1f %% of hours in the file, %.1f %% by the table\n", comfortSpeed,
+              100.0 * weather::measuredShareAbove(rose, comfortSpeed), 100.0 * weather::shareAbove(rose, comfortSpeed));
 }
 
 std::string hoursLack(std::size_t hours, const char* what)
@@ -146,6 +151,8 @@ Json jsonOf(const Climate& climate)
   report["wind"] = {{"hours", rose.hours},       {"mean_speed", rose.meanSpeed},
                     {"calms", rose.calms},       {"calm_speed", climate.options.calmSpeed},
                     {"scale", rose.whole.scale}, {"shape", rose.whole.shape}};
+  report["wind"]["above_5"] = {{"measured", weather::measuredShareAbove(rose, comfortSpeed)},
+                               {"by_table", weather::shareAbove(rose, comfortSpeed)}};
   report["sectors"] = Json::array();
   for (const RoseSector& sector : rose.sectors)
   {
@@ -164,7 +171,7 @@ void printClimate(const Climate& climate)
               numberText(station.elevation).c_str());
   std::printf("Hours: %s read, %s kept%s%s\n", withCommas(climate.weather.hours.size()).c_str(),
               withCommas(climate.kept).c_str(), climate.filter.empty() ? "" : ": ", climate.filter.c_str());
-  std::printf("Natural ventilation is possible by temperature (%g to %g C): %s of %s hours, %.1f %%\n",
+  std::printf("Natural ventilation is possible by temperature (%g to %g °C): %s of %s hours, %.1f %%\n",
               climate.ventilation.least, climate.ventilation.most, withCommas(ventilated.inRange).c_str(),
               withCommas(ventilated.known).c_str(), 100.0 * ventilated.share());
   std::printf(

@@ -6,6 +6,7 @@
 #include "Support/Text.h"
 #include "Support/Utf8.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ constexpr std::array linesAfterLocation{"DESIGN CONDITIONS",   "TYPICAL/EXTREME 
                                         "DATA PERIODS"};
 // Files before 2005 lack the last three of 35 columns.
 constexpr std::size_t fewestColumns = 32;
+constexpr std::size_t mostColumns = 35;
 constexpr std::size_t monthColumn = 1;
 constexpr std::size_t temperatureColumn = 6;
 constexpr std::size_t directionColumn = 20;
@@ -100,16 +102,16 @@ Weather readEpw(LineReader& lines)
     goToHeaderLine(lines, name);
   }
   HourSequence hours(planFrom(lines));
-  std::size_t columns = fewestColumns;
+  std::size_t columns = 0; // those of the first record
   while (lines.next())
   {
     const std::vector<std::string_view> fields = fieldsOf(lines.line());
-    if (fields.size() < columns)
+    columns = columns == 0 ? std::clamp(fields.size(), fewestColumns, mostColumns) : columns;
+    if (fields.size() != columns)
     {
-      lines.fail("the line has " + std::to_string(fields.size()) + " columns instead of " +
-                 std::to_string(columns == fewestColumns ? 35 : columns) + "; get the file again");
+      lines.fail("the line has " + std::to_string(fields.size()) + " columns instead of " + std::to_string(columns) +
+                 "; get the file again, or correct the line");
     }
-    columns = fields.size();
     hours.add(recordFrom(lines, fields), lines);
   }
   weather.hours = hours.finish(lines);

@@ -62,7 +62,7 @@ std::string escaped(const std::string& text)
   return out;
 }
 
-/// The size of text in pixels, with what else it has.
+/// Returns a text at a place. Attributes say how it looks.
 std::string textAt(double x, double y, const char* attributes, const std::string& text)
 {
   return format("<text x=\"%.1f\" y=\"%.1f\" %s>", x, y, attributes) + escaped(text) + "</text>\n";
@@ -189,7 +189,7 @@ std::string middle(const WindRose& rose)
          textAt(centerX, centerY - 3.0, look, "calm") + textAt(centerX, centerY + 12.0, look, percent(calm, 1));
 }
 
-/// Returns the classes of speed, fastest first, as petals have it from the outside in, and sums.
+/// Returns the classes of speed, fastest first, as petals have them from the outside in, and the mean.
 std::string legend(const WindRose& rose)
 {
   std::string text = textAt(legendX, legendY, "font-size=\"14\" font-weight=\"bold\" fill=\"#282828\"", "Wind speed");
@@ -200,12 +200,7 @@ std::string legend(const WindRose& rose)
         format("<rect x=\"%.1f\" y=\"%.1f\" width=\"18\" height=\"18\" fill=\"%s\"/>\n", legendX, y, classes[i].color);
     text += textAt(legendX + 27.0, y + 14.0, "font-size=\"14\" fill=\"#282828\"", classes[i].name);
   }
-  y += 28.0;
-  for (const std::string& line : {format("mean %.1f m/s", rose.meanSpeed), format("%zu hours", rose.hours)})
-  {
-    text += textAt(legendX, y, "font-size=\"14\" fill=\"#282828\"", line);
-    y += 22.0;
-  }
+  text += textAt(legendX, y + 28.0, "font-size=\"14\" fill=\"#282828\"", format("mean %.1f m/s", rose.meanSpeed));
   return text;
 }
 

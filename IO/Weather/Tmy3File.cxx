@@ -116,10 +116,10 @@ void readTime(const LineReader& place, std::string_view field, WeatherHour& reco
 WeatherHour recordFrom(const LineReader& place, const Columns& columns, const Day& before)
 {
   const std::vector<std::string_view> fields = fieldsOf(place.line());
-  if (fields.size() < columns.count)
+  if (fields.size() != columns.count)
   {
     place.fail("the line has " + std::to_string(fields.size()) + " columns instead of " +
-               std::to_string(columns.count) + "; get the file again");
+               std::to_string(columns.count) + "; get the file again, or correct the line");
   }
   WeatherHour record;
   readDate(place, fields[columns.date], record);

@@ -13,7 +13,7 @@ namespace {
 /// Throws Error with advice for what is found in place of weather files.
 [[noreturn]] void refuse(std::string_view text, const std::string& file)
 {
-  if (trimmed(text).empty())
+  if (text.find_first_not_of(" \t\r\n") == text.npos)
   {
     throw Error(file + " is empty; get it again");
   }

@@ -47,8 +47,8 @@ Months monthsFrom(std::string_view text);
 /// The hours to keep. Without a range all temperatures are kept, unknown ones too.
 struct HourFilter
 {
-  std::optional<TemperatureRange> temperature;
-  HoursOfDay time;
+  std::optional<TemperatureRange> temperature = std::nullopt;
+  HoursOfDay time = {};
   Months months = Months().set();
 };
 

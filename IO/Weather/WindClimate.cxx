@@ -102,6 +102,27 @@ WindRose windRoseOf(const std::vector<WeatherHour>& hours, const RoseOptions& op
   return rose;
 }
 
+double shareAbove(const WindRose& rose, double speed)
+{
+  double share = 0.0;
+  for (const RoseSector& sector : rose.sectors)
+  {
+    share += sector.frequency * std::exp(-std::pow(speed / sector.weibull.scale, sector.weibull.shape));
+  }
+  return share;
+}
+
+double measuredShareAbove(const WindRose& rose, double speed)
+{
+  std::size_t count = 0;
+  for (const RoseSector& sector : rose.sectors)
+  {
+    count += static_cast<std::size_t>(
+        std::count_if(sector.speeds.begin(), sector.speeds.end(), [&](double each) { return each > speed; }));
+  }
+  return static_cast<double>(count) / static_cast<double>(rose.hours);
+}
+
 bool dividesRoundedDirections(const std::vector<WeatherHour>& hours, int sectors)
 {
   constexpr int roundedDirections = 36;

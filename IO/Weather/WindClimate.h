@@ -43,6 +43,12 @@ struct WindRose
 /// hours its scale too. Throws Error if no hour has wind.
 WindRose windRoseOf(const std::vector<WeatherHour>& hours, const RoseOptions& options);
 
+/// Returns the share of hours with more than a speed, m/s, by the distributions of the sectors. Wind comfort is judged
+/// by these.
+double shareAbove(const WindRose& rose, double speed);
+/// Returns the share that was measured, for comparison.
+double measuredShareAbove(const WindRose& rose, double speed);
+
 /// True if directions are rounded to 10 degrees and sectors of this number do not hold equally many of these, with one
 /// in their middle. Such sectors seem to have more wind, or less, than they have. Sound numbers are 4, 12 and 36.
 bool dividesRoundedDirections(const std::vector<WeatherHour>& hours, int sectors);

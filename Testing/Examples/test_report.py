@@ -111,6 +111,7 @@ class Comfort(Folder):
         near, far = comfort.exceedance(climate, [10.0, 180.0], [[1.0], [0.0]], 5.0), math.exp(-1.0)
         self.assertAlmostEqual(near[0], 100 * far, places=10)
         self.assertEqual(comfort.widest_gap(climate, [10.0, 180.0]), 20.0)
+        self.assertEqual(comfort.widest_gap([*climate, comfort.Sector(90.0, 0.0, 5.0, 2.0)], [10.0, 180.0]), 20.0)
 
     def of_percent(self, percent, speed):
         """The amplification with which `speed` is exceeded in so many percent of hours, for scale 5 and shape 2."""

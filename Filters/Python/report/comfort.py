@@ -101,8 +101,9 @@ MOST_APART = 45.0
 
 
 def widest_gap(climate, directions) -> float:
-    """The greatest angle between a sector and the direction next to it, degrees."""
-    return max(min(angle_between(sector.origin, direction) for direction in directions) for sector in climate)
+    """The greatest angle between a sector that wind comes from and the direction next to it, degrees."""
+    return max(min(angle_between(sector.origin, direction) for direction in directions)
+               for sector in climate if sector.frequency > 0.0)
 
 
 def exceedance(climate, directions, amplification, speed):
