@@ -81,7 +81,7 @@ void printRose(const weather::WindRose& rose)
 
 std::string hoursLack(std::size_t hours, const char* what)
 {
-  return withCommas(hours) + (hours == 1 ? " hour has no " : " hours have no ") + what;
+  return hours == 0 ? "" : withCommas(hours) + (hours == 1 ? " lacks its " : " lack their ") + what;
 }
 
 /// Reports missing values; with a warning where they are many.
@@ -95,8 +95,8 @@ void noteMissing(const Climate& climate, Console& console)
   constexpr double manyPercent = 10.0;
   const std::size_t all = climate.weather.hours.size();
   const std::string text = climate.file + ": of " + withCommas(all) + " hours, " +
-                           hoursLack(temperature, "temperature") + " and " + hoursLack(wind, "wind") +
-                           "; statistics that need the value leave them out";
+                           hoursLack(temperature, "temperature") + (temperature > 0 && wind > 0 ? " and " : "") +
+                           hoursLack(wind, "wind") + "; statistics that need the value leave them out";
   if (percentOf(std::max(temperature, wind), all) > manyPercent)
   {
     console.warning(text + ". That is more than a tenth: take another file or station if there is one");

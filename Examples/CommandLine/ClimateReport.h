@@ -23,9 +23,9 @@ struct Climate
   weather::MissingHours missing;         ///< in the whole file
   std::string filter;                    ///< words on the hours that were kept; empty for all
   std::size_t kept = 0;                  ///< hours that passed the filter
-  weather::TemperatureRange ventilation; ///< where natural ventilation is possible
-  weather::TemperatureCount ventilated;  ///< of the hours that pass the filter but for its temperatures
-  weather::WindRose rose;                ///< of the hours kept
+  weather::TemperatureRange ventilation; ///< temperatures that allow natural ventilation
+  weather::TemperatureCount ventilated;  ///< among hours that pass the filter but for its temperatures
+  weather::WindRose rose;                ///< made of the hours kept
   bool hasUnevenSectors = false;         ///< see weather::dividesRoundedDirections()
 };
 

@@ -102,7 +102,7 @@ Weather readEpw(LineReader& lines)
     goToHeaderLine(lines, name);
   }
   HourSequence hours(planFrom(lines));
-  std::size_t columns = 0; // those of the first record
+  std::size_t columns = 0; // as many as the first record has
   while (lines.next())
   {
     const std::vector<std::string_view> fields = fieldsOf(lines.line());

@@ -55,7 +55,7 @@ private:
 
   HourPlan plan;
   std::vector<WeatherHour> hours;
-  std::vector<WeatherHour> records;  ///< those of the hour at hand
+  std::vector<WeatherHour> records;  ///< the records of the hour at hand
   std::optional<WeatherHour> before; ///< the hour before; nothing where a period begins
   std::size_t period = 0;
   int passesLeft = 0;

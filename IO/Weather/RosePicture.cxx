@@ -125,7 +125,7 @@ std::string petal(const RoseSector& sector, const WindRose& rose, const RadialSc
   {
     ++counts[classOf(speed)];
   }
-  constexpr double filled = 0.8; // of the sector's angle
+  constexpr double filled = 0.8; // share of the sector's angle
   const double halfWidth = filled * 180.0 / static_cast<double>(rose.sectors.size());
   std::string text;
   std::size_t below = 0;

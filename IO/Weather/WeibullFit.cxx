@@ -19,9 +19,9 @@ double meanOf(const std::vector<double>& values)
 /// Sums over the speeds v, in units of their mean, so that powers stay small.
 struct PowerSums
 {
-  double powers = 0.0;    ///< of v^k
-  double logPowers = 0.0; ///< of v^k ln v
-  double logs = 0.0;      ///< of ln v
+  double powers = 0.0;    ///< sum of v^k
+  double logPowers = 0.0; ///< sum of v^k ln v
+  double logs = 0.0;      ///< sum of ln v
   double calmPower = 0.0; ///< c^k of the calm limit c
   double calmLog = 0.0;   ///< ln c; 0 without calms
 };

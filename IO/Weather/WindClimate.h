@@ -22,7 +22,7 @@ inline constexpr std::size_t leastHoursForShape = 60;
 struct RoseSector
 {
   double from = 0.0;          ///< middle of the sector, degrees clockwise from north
-  std::vector<double> speeds; ///< of its hours, calms left out, m/s
+  std::vector<double> speeds; ///< its hours without calm ones, m/s
   double frequency = 0.0;     ///< share of all hours, with its part of the calm ones; 0 to 1
   Weibull weibull;            ///< with its part of the calm hours
   bool hasOwnShape = false;   ///< else the shape is that of all sectors together
@@ -32,7 +32,7 @@ struct RoseSector
 struct WindRose
 {
   std::vector<RoseSector> sectors;
-  Weibull whole;           ///< of all hours whose wind is known
+  Weibull whole;           ///< the distribution of all hours whose wind is known
   std::size_t hours = 0;   ///< whose wind is known, calm ones included
   std::size_t calms = 0;   ///< without wind, or with less than the calm speed
   std::size_t missing = 0; ///< whose wind is not known, left out

@@ -157,7 +157,7 @@ class Climate(BoxCase):
         few.write_text(epw(lambda n: 99.9 if n % 100 == 0 else 20.0, lambda n: 90, lambda n: 999 if n % 50 == 0 else 3.0))
         run = self.climate(few)
         self.assertIn("note: ", run.stderr)
-        self.assertIn("88 hours have no temperature and 176 hours have no wind", run.stderr)
+        self.assertIn("of 8,760 hours, 88 lack their temperature and 176 lack their wind;", run.stderr)
         self.assertNotIn("warning", run.stderr)
         self.assertIn("8,672 of 8,672 hours, 100.0 %", run.stdout)
         many = self.folder / "many.epw"
@@ -168,8 +168,8 @@ class Climate(BoxCase):
     def test_bad_files_are_refused(self):
         text = self.weather.read_text()
         for status, wanted, content in ((3, "is empty", ""), (3, "neither an EPW file", "a,b\n1,2\n"),
-                                        (3, "bad.epw:4009: the file ends with hour 1 of 6/16", "\n".join(text.split("\n")[:4009])),
-                                        (3, "bad.epw:9: the dry-bulb temperature, 122 C", text.replace(",A7,22.0,", ",A7,122,"))):
+                                        (3, "bad.epw:4009: the file ends with hour 17 of 6/16", "\n".join(text.split("\n")[:4009])),
+                                        (3, "bad.epw:9: the dry-bulb temperature, 72 C", text.replace(",A7,22.0,", ",A7,72,"))):
             bad = self.folder / "bad.epw"
             bad.write_text(content)
             self.refuses(status, wanted, bad, "-o", self.folder / "bad.csv")

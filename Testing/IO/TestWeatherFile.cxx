@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <random>
 
 namespace {
 
@@ -323,6 +324,26 @@ TEST_F(WeatherFiles, BadValuesAreRefusedWithTheirLine)
   EXPECT_THAT(refusalOf(withField(tmy3, 500, 0, "1999-01-01")),
               HasSubstr(":500: the date '1999-01-01' is not as 12/31/1999"));
   EXPECT_THAT(refusalOf(withField(tmy3, 500, 1, "noon")), HasSubstr(":500: the time 'noon' is not as 13:00"));
+}
+
+TEST_F(WeatherFiles, DamagedFilesAreReadOrRefused)
+{
+  EpwSample sample{{year.begin(), year.begin() + 48}};
+  sample.periods = "DATA PERIODS,1,1,Data,Sunday,1/1,1/2";
+  std::mt19937 random(3);
+  int refused = 0;
+  constexpr int times = 3000;
+  for (int i = 0; i < times; ++i)
+  {
+    std::string text = textOf(i % 2 == 0 ? linesOf(sample) : std::vector<std::string>(tmy3.begin(), tmy3.begin() + 50));
+    for (int change = 0; change < 3; ++change)
+    {
+      const std::size_t at = random() % text.size();
+      random() % 4 == 0 ? text.erase(at, random() % 90) : text.replace(at, 1, 1, static_cast<char>(random() % 256));
+    }
+    refused += refusalOf(text) == "was taken" ? 0 : 1; // another exception would fail the test
+  }
+  EXPECT_GT(refused, times / 2);
 }
 
 TEST_F(WeatherFiles, WrongColumnsAreRefused)
