@@ -59,7 +59,7 @@ class CommandLine(unittest.TestCase):
 
     def test_help_is_no_error(self):
         for arguments in (["--help"], ["mesh", "--help"], ["inspect", "--help"], ["quality", "--help"], ["improve", "--help"],
-                          ["convert", "--help"], ["--version"]):
+                          ["convert", "--help"], ["climate", "--help"], ["--version"]):
             run = self.atria(*arguments)
             self.assertEqual((run.returncode, run.stderr), (0, ""), arguments)
 
