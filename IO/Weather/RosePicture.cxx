@@ -156,7 +156,22 @@ std::string rings(const RadialScale& scale)
   return text + "</g>\n";
 }
 
-/// Returns what the rings mean, between two petals, and the points of the compass.
+/// Returns the direction between two petals where both are shortest.
+double emptiestGap(const WindRose& rose)
+{
+  const std::size_t count = rose.sectors.size();
+  const auto longer = [&](std::size_t i) {
+    return std::max(rose.sectors[i].speeds.size(), rose.sectors[(i + 1) % count].speeds.size());
+  };
+  std::size_t found = 0;
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    found = longer(i) < longer(found) ? i : found;
+  }
+  return rose.sectors[found].from + 180.0 / static_cast<double>(count);
+}
+
+/// Returns what the rings mean, along a direction, and the points of the compass.
 std::string labels(const RadialScale& scale, double angle)
 {
   std::string text;
@@ -172,7 +187,7 @@ std::string labels(const RadialScale& scale, double angle)
   constexpr std::array points{"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const Point at = pointAt(45.0 * static_cast<double>(i), outerRadius + 20.0);
+    const Point at = pointAt(45.0 * static_cast<double>(i), outerRadius + 26.0);
     const char* look = i % 2 == 0 ? "font-size=\"18\" font-weight=\"bold\" text-anchor=\"middle\" fill=\"#282828\""
                                   : "font-size=\"13\" text-anchor=\"middle\" fill=\"#5a6470\"";
     text += textAt(at.x, at.y + (i % 2 == 0 ? 6.0 : 4.0), look, points[i]);
@@ -229,8 +244,7 @@ std::string rosePicture(const WindRose& rose, const PictureTexts& texts)
   {
     text += petal(sector, rose, scale);
   }
-  const double betweenPetals = 180.0 / static_cast<double>(rose.sectors.size());
-  return text + middle(rose) + labels(scale, betweenPetals) + legend(rose) + "</svg>\n";
+  return text + middle(rose) + labels(scale, emptiestGap(rose)) + legend(rose) + "</svg>\n";
 }
 
 } // namespace atria::weather
