@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CaseDescription.h"
 
+#include "FoamText.h"
 #include "Support/Text.h"
 
 #include <algorithm>
@@ -91,12 +92,11 @@ std::string shortNumber(double value)
 
 Json describeCase(const CaseOfDirection& flow)
 {
-  constexpr const char* models[] = {"kEpsilon", "realizableKE", "kOmegaSST"};
   const FlowCaseSettings& settings = flow.settings;
   const CaseMesh& mesh = flow.mesh;
   Json report;
   flow.isRoom() ? describeRoom(flow, report) : describeWind(settings.wind, report);
-  report["turbulence"] = models[static_cast<std::size_t>(settings.turbulence)];
+  report["turbulence"] = modelName(settings.turbulence);
   report["iterations"] = settings.iterations;
   report["pedestrian_height"] = settings.pedestrianHeight;
   report["age_of_air"] = settings.ageOfAir;

@@ -2,7 +2,7 @@
 /// Describes flow cases: in case.json for `atria report`, and in sentences for users.
 #pragma once
 
-#include "CaseFields.h"
+#include "CaseValues.h"
 
 #include <nlohmann/json.hpp>
 

@@ -377,24 +377,27 @@ void refuseProcessorResults(const fs::path& caseFolder)
   }
 }
 
-void writeDecomposition(const fs::path& caseFolder, std::size_t parts, const Vec3& size)
+void addDivision(Filling& filling, std::size_t parts, const Vec3& size)
 {
   std::size_t fewer = 1;
   for (std::size_t divisor = 1; divisor * divisor <= parts; ++divisor)
   {
     fewer = parts % divisor == 0 ? divisor : fewer;
   }
-  const std::size_t more = parts / fewer;
-  const std::size_t alongX = size[0] < size[1] ? fewer : more;
-  const std::size_t alongY = size[0] < size[1] ? more : fewer;
-  FoamText text;
-  text.comment(
-      "The parts came with the case. This divides it anew, without a library: Debian's OpenFOAM has no scotch.");
-  text.entry("numberOfSubdomains", static_cast<double>(parts)).entry("method", "hierarchical");
-  text.open("hierarchicalCoeffs")
-      .entry("n", foamVector({static_cast<double>(alongX), static_cast<double>(alongY), 1.0}));
-  text.entry("delta", "0.001").entry("order", "xyz").close();
-  writeFoamFile(caseFolder, "system", "decomposeParDict", "dictionary", text);
+  const auto more = static_cast<double>(parts / fewer);
+  const auto less = static_cast<double>(fewer);
+  filling.facts.insert("parallel");
+  filling.values["processors"] = {std::to_string(parts)};
+  filling.values["processorsAlongAxes"] = {
+      foamVector(size[0] < size[1] ? Vec3(less, more, 1.0) : Vec3(more, less, 1.0))};
+}
+
+void writeDecomposition(const fs::path& caseFolder, std::size_t parts, const Vec3& size)
+{
+  constexpr const char* file = "system/decomposeParDict";
+  Filling filling;
+  addDivision(filling, parts, size);
+  writeFoamFile(caseFolder, file, "dictionary", textOf(caseFiles(), file, filling));
 }
 
 void removeProcessors(const fs::path& caseFolder)

@@ -2,6 +2,7 @@
 /// A mesh of OpenFOAM divided among processors, as its decomposePar does.
 #pragma once
 
+#include "CaseTable.h"
 #include "OpenFOAMFile.h"
 #include "PolyMesh.h"
 #include "PolyMeshWriter.h"
@@ -65,8 +66,10 @@ void refuseProcessorResults(const std::filesystem::path& caseFolder);
 /// Removes the processor folders with all their content.
 void removeProcessors(const std::filesystem::path& caseFolder);
 
-/// Writes system/decomposeParDict, which OpenFOAM's parallel runs need: parts with as many cells each, in a grid
-/// over the ground that is as square as their number allows. `size` is that of the mesh along the axes.
+/// Adds what the template of system/decomposeParDict names: the number of parts, and a grid of them over the ground
+/// that is as square as their number allows. `size` is that of the mesh along the axes.
+void addDivision(Filling& filling, std::size_t parts, const Vec3& size);
+/// Writes system/decomposeParDict, which OpenFOAM's parallel runs need.
 void writeDecomposition(const std::filesystem::path& caseFolder, std::size_t parts, const Vec3& size);
 
 /// Writes processor<i>/constant/polyMesh for each part of the case's mesh, with cellProcAddressing and so on, and

@@ -2,8 +2,9 @@
 #include "FlowCase.h"
 
 #include "CaseDescription.h"
-#include "CaseSystem.h"
+#include "CaseFiles.h"
 #include "Decomposition.h"
+#include "FoamText.h"
 #include "Grid/Prism.h"
 #include "OutputFolders.h"
 #include "Support/Error.h"
@@ -75,69 +76,6 @@ std::map<std::string, std::string> changedTypes(const CaseMesh& mesh, const std:
   return types;
 }
 
-void writeScript(const fs::path& path, const std::string& text)
-{
-  writePlainFile(path, text);
-  std::error_code ignored;
-  fs::permissions(path, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec, fs::perm_options::add,
-                  ignored);
-}
-
-const char* const scriptHead = "#!/bin/sh\n"
-                               "cd \"${0%/*}\" || exit 1\n";
-
-std::string runScript(const CaseOfDirection& flow)
-{
-  const bool isParallel = flow.settings.processors > 1;
-  const std::string solver = isFoundation(flow.settings.dialect) ? "foamRun" : "simpleFoam";
-  std::string text = scriptHead;
-  text += "# Debian's OpenFOAM sets no environment of its own; this much it needs.\n"
-          "[ -n \"$WM_PROJECT_DIR\" ] || export WM_PROJECT_DIR=/usr/share/openfoam\n\n"
-          "# Runs an application once, its output in log.<application>.\n"
-          "run() {\n"
-          "  name=$1; shift\n"
-          "  if [ -e \"log.$name\" ]; then echo \"$name has run: ./Allclean to begin anew\"; return; fi\n"
-          "  echo \"Running $name in $PWD\"\n"
-          "  if ! \"$@\" > \"log.$name\" 2>&1; then echo \"$name failed: see $PWD/log.$name\" >&2; exit 1; fi\n"
-          "}\n\n";
-  const auto run = [&](const std::string& name, const std::string& options) {
-    const std::string parallel = "mpirun -np " + std::to_string(flow.settings.processors) + " ";
-    text +=
-        "run " + name + " " + (isParallel ? parallel : "") + name + options + (isParallel ? " -parallel" : "") + "\n";
-  };
-  if (isParallel)
-  {
-    text += "# Comes with the case; made again where it was removed.\n"
-            "[ -d processor0 ] || run decomposePar decomposePar\n";
-  }
-  run(solver, "");
-  if (isParallel)
-  {
-    text += "run reconstructPar reconstructPar -latestTime\n";
-  }
-  return text;
-}
-
-std::string cleanScript()
-{
-  return std::string(scriptHead) +
-         "# All that a run leaves; meshes and the folder 0 stay.\n"
-         "rm -rf postProcessing log.* [1-9]* 0.[0-9]* 0/uniform dynamicCode processor*/[1-9]* processor*/0.[0-9]*\n"
-         "for processor in processor*; do\n"
-         "  if [ -d \"$processor\" ]; then rm -rf \"$processor/0\" && cp -r 0 \"$processor/0\"; fi\n"
-         "done\n";
-}
-
-std::string scriptOfAll(const std::vector<std::string>& folders, const char* script)
-{
-  std::string text = scriptHead;
-  for (const std::string& folder : folders)
-  {
-    text += folder + "/" + script + " || exit 1\n";
-  }
-  return text;
-}
-
 /// Links a mesh. `other` is the case that has the mesh, as seen from the folder constant.
 void linkMesh(const fs::path& folder, const fs::path& other)
 {
@@ -202,15 +140,6 @@ std::vector<std::string> foldersOf(const FlowCaseSettings& settings)
     throw Error("a wind direction is given twice");
   }
   return folders;
-}
-
-void writeFiles(const fs::path& folder, const CaseOfDirection& flow)
-{
-  writeFields(folder, flow);
-  writeConstant(folder, flow);
-  writeSystem(folder, flow);
-  writeScript(folder / "Allrun", runScript(flow));
-  writeScript(folder / "Allclean", cleanScript());
 }
 
 /// Makes walls of inlets and outlets without faces, as conditions and functions of OpenFOAM divide by their areas.
@@ -283,7 +212,7 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
     }
     flow.probes = probePlaces(poly, flow.namesOf(PatchRole::Ground), surroundings(mesh, flow.choices),
                               settings.pedestrianHeight, mostProbes);
-    writeFiles(folder, flow);
+    writeCaseFiles(folder, flow);
     if (folders[d] != ".")
     {
       removeProcessors(folder);
@@ -306,8 +235,7 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
   }
   if (folders.size() > 1)
   {
-    writeScript(caseFolder / "Allrun", scriptOfAll(folders, "Allrun"));
-    writeScript(caseFolder / "Allclean", scriptOfAll(folders, "Allclean"));
+    writeRoseScripts(caseFolder, folders);
   }
   writePlainFile(caseFolder / "case.json", report.dump(2) + "\n");
   std::ranges::copy(warnOfWindless(windless, folders), std::back_inserter(written.warnings));

@@ -12,57 +12,18 @@ namespace atria {
 
 namespace {
 
-constexpr std::size_t valueColumn = 16;
+/// Returns the text of lines, each with its end.
+std::string joinedLines(const Lines& lines)
+{
+  std::string text;
+  for (const std::string& line : lines)
+  {
+    text += line + '\n';
+  }
+  return text;
+}
 
 } // namespace
-
-FoamText& FoamText::indent()
-{
-  written.append(4 * depth, ' ');
-  return *this;
-}
-
-FoamText& FoamText::entry(std::string_view key, std::string_view value)
-{
-  indent();
-  written += key;
-  written.append(key.size() < valueColumn ? valueColumn - key.size() : 1, ' ');
-  written += value;
-  written += ";\n";
-  return *this;
-}
-
-FoamText& FoamText::entry(std::string_view key, double value) { return entry(key, foamNumber(value)); }
-
-FoamText& FoamText::open(std::string_view name)
-{
-  line(name);
-  line("{");
-  ++depth;
-  return *this;
-}
-
-FoamText& FoamText::close()
-{
-  --depth;
-  return line("}");
-}
-
-FoamText& FoamText::blank()
-{
-  written += '\n';
-  return *this;
-}
-
-FoamText& FoamText::comment(std::string_view text) { return line("// " + std::string(text)); }
-
-FoamText& FoamText::line(std::string_view text)
-{
-  indent();
-  written += text;
-  written += '\n';
-  return *this;
-}
 
 std::string foamNumber(double value)
 {
@@ -87,13 +48,13 @@ std::string foamList(std::span<const std::string> words)
   return list + ")";
 }
 
-void writeFoamFile(const std::filesystem::path& caseFolder, std::string_view location, std::string_view name,
-                   std::string_view className, const FoamText& content)
+void writeFoamFile(const std::filesystem::path& caseFolder, const std::filesystem::path& path,
+                   std::string_view className, const Lines& content)
 {
-  makeFolder(caseFolder / location);
-  OpenFOAMFile file(caseFolder / location / name,
-                    {std::string(className), std::string(location), "", OpenFOAMFormat::Ascii});
-  file.text(content.text()).close();
+  const std::filesystem::path folder = path.parent_path();
+  makeFolder(caseFolder / folder);
+  OpenFOAMFile file(caseFolder / path, {std::string(className), folder.string(), "", OpenFOAMFormat::Ascii});
+  file.text(joinedLines(content)).close();
 }
 
 void writePlainFile(const std::filesystem::path& path, std::string_view content)
@@ -113,6 +74,15 @@ void writePlainFile(const std::filesystem::path& path, std::string_view content)
     std::filesystem::remove(beside, ignored);
     throw OutputError("cannot write '" + path.string() + "'");
   }
+}
+
+void writeScript(const std::filesystem::path& path, const Lines& content)
+{
+  using std::filesystem::perms;
+  writePlainFile(path, joinedLines(content));
+  std::error_code ignored;
+  std::filesystem::permissions(path, perms::owner_exec | perms::group_exec | perms::others_exec,
+                               std::filesystem::perm_options::add, ignored);
 }
 
 } // namespace atria

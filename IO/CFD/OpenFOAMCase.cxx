@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "OpenFOAMCase.h"
 
+#include "CaseTable.h"
+#include "FoamText.h"
 #include "OutputFolders.h"
 #include "PolyMeshWriter.h"
 #include "Support/Error.h"
@@ -11,7 +13,6 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <string_view>
 
 namespace atria {
 
@@ -53,13 +54,12 @@ template <typename Zone> std::vector<Zone> withNames(std::vector<Zone> zones)
   return zones;
 }
 
-void writeDictionary(const fs::path& caseFolder, const char* name, std::string_view content)
+/// Writes a dictionary that a mesh without a flow needs, unless there is one.
+void writeDictionary(const fs::path& caseFolder, const char* file)
 {
-  const fs::path path = caseFolder / "system" / name;
-  if (!fs::exists(path))
+  if (!fs::exists(caseFolder / file))
   {
-    OpenFOAMFile file(path, {"dictionary", "system", "", OpenFOAMFormat::Ascii});
-    file.text(content).close();
+    writeFoamFile(caseFolder, file, "dictionary", textOf(caseFiles(), file, {{"meshOnly"}, {}}));
   }
 }
 
@@ -130,17 +130,10 @@ void writePolyMesh(const fs::path& caseFolder, const SolverMesh& mesh, OpenFOAMF
 
 void completeCase(const fs::path& caseFolder)
 {
-  makeFolder(caseFolder / "system");
-  writeDictionary(caseFolder, "controlDict",
-                  "application     simpleFoam;\nstartFrom       startTime;\nstartTime       0;\nstopAt          "
-                  "endTime;\n"
-                  "endTime         1000;\ndeltaT          1;\nwriteControl    timeStep;\nwriteInterval   100;\n"
-                  "writeFormat     ascii;\nwritePrecision  12;\ntimePrecision   6;\n");
-  writeDictionary(caseFolder, "fvSchemes",
-                  "ddtSchemes { default steadyState; }\ngradSchemes { default Gauss linear; }\n"
-                  "divSchemes { default none; }\nlaplacianSchemes { default Gauss linear corrected; }\n"
-                  "interpolationSchemes { default linear; }\nsnGradSchemes { default corrected; }\n");
-  writeDictionary(caseFolder, "fvSolution", "solvers {}\nSIMPLE { nNonOrthogonalCorrectors 0; }\n");
+  for (const char* file : {"system/controlDict", "system/fvSchemes", "system/fvSolution"})
+  {
+    writeDictionary(caseFolder, file);
+  }
   const fs::path whole = fs::absolute(caseFolder).lexically_normal();
   const fs::path named = whole.has_filename() ? whole : whole.parent_path(); // "case/" means "case"
   const fs::path marker = caseFolder / (named.filename().string() + ".foam");

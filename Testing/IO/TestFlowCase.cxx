@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "CaseSystem.h"
-#include "FlowCase.h"
+#include "CaseValues.h"
 #include "FoamText.h"
 #include "OpeningNames.h"
 #include "PolyMesh.h"

@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The folders constant and system of a flow case: models, schemes, solvers and functions.
+/// The facts and values that the templates of a flow case are filled with.
 #pragma once
 
-#include "CaseFields.h"
+#include "CaseTable.h"
+#include "FlowCase.h"
 
 namespace atria {
 
-/// Most iterations for the age of air each time it is written.
-inline constexpr int ageCorrectors = 200;
+/// A flow case for one wind direction, or for a room; its files are written from it.
+struct CaseOfDirection
+{
+  const CaseMesh& mesh;
+  const FlowCaseSettings& settings;
+  Vec3 wind;                        ///< length 1; zero in a room
+  std::vector<PatchChoice> choices; ///< one per patch
+  std::vector<Vec3> probes;
+
+  std::vector<std::string> namesOf(PatchRole role) const;
+  bool isRoom() const { return settings.kind == FlowKind::Room; }
+};
 
 /// Schemes and correctors by the largest angle between a face's normal and the line between its cells, after common
 /// practice with OpenFOAM. Up to 60 degrees the correction is full, up to 70 degrees half, above a third.
@@ -26,10 +37,12 @@ struct OrthogonalityRule
 };
 OrthogonalityRule ruleForAngle(double worstNonOrthogonality);
 
-/// Write the folders constant (except the mesh) and system. Throw Error if a file cannot be written.
-void writeConstant(const std::filesystem::path& folder, const CaseOfDirection& flow);
-void writeSystem(const std::filesystem::path& folder, const CaseOfDirection& flow);
-/// Adds the functions of system/controlDict: quantities measured while the case runs.
-void addFunctions(FoamText& text, const CaseOfDirection& flow);
+/// Returns OpenFOAM's name, which is also a fact.
+const char* modelName(TurbulenceModel model);
+
+/// Returns what all templates of the case may name.
+Filling fillingOf(const CaseOfDirection& flow);
+/// Adds what boundary conditions of a patch may name.
+void addPatch(Filling& filling, const CaseOfDirection& flow, const CasePatch& patch, const PatchChoice& choice);
 
 } // namespace atria

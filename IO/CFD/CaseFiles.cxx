@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "CaseFiles.h"
+
+#include "FoamText.h"
+#include "PatchNames.h"
+#include "Support/Error.h"
+#include "Support/NamePattern.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void append(Lines& lines, const Lines& more) { lines.insert(lines.end(), more.begin(), more.end()); }
+
+/// Returns names as alternatives of a pattern.
+std::string alternatives(const std::vector<std::string>& names)
+{
+  std::string pattern;
+  for (const std::string& name : names)
+  {
+    pattern += (pattern.empty() ? "" : "|") + name;
+  }
+  return pattern;
+}
+
+// Fields and their boundary conditions
+
+std::string fileOf(const CaseField& field) { return "0/" + std::string(field.name); }
+
+/// Returns the fields that have a file.
+std::vector<CaseField> writtenFields(const Filling& filling)
+{
+  std::vector<CaseField> written;
+  for (const CaseField& field : caseFields())
+  {
+    if (holds(field.when, filling) && rowOf(caseFiles(), fileOf(field), filling))
+    {
+      written.push_back(field);
+    }
+  }
+  return written;
+}
+
+void checkFieldNames(const std::vector<ConditionRule>& rules, const std::vector<CaseField>& fields)
+{
+  std::vector<std::string> names;
+  names.reserve(fields.size());
+  for (const CaseField& field : fields)
+  {
+    names.emplace_back(field.name);
+  }
+  for (const ConditionRule& rule : rules)
+  {
+    if (std::find(names.begin(), names.end(), rule.field) == names.end())
+    {
+      throw Error("the condition of '" + rule.pattern + "': the case has no field '" + rule.field + "'; " +
+                  namesInstead(rule.field, names));
+    }
+  }
+}
+
+/// Returns the dictionaries of a field's patches, except those that are as all walls.
+Lines patchesOf(const std::string& field, const CaseOfDirection& flow, std::vector<Filling>& fillings)
+{
+  Lines lines;
+  for (std::size_t i = 0; i < flow.choices.size(); ++i)
+  {
+    const ConditionRule* const rule = conditionOf(flow.settings, field, flow.mesh.patches[i].name);
+    if (rule || flow.choices[i].role != PatchRole::Wall)
+    {
+      fillings[i].values["condition"] = rule ? Lines{rule->entries} : textOf(caseConditions(), field, fillings[i]);
+      append(lines, textOf(caseParts(), "namedPatch", fillings[i]));
+    }
+  }
+  return lines;
+}
+
+void writeFields(const fs::path& folder, const CaseOfDirection& flow, const Filling& filling)
+{
+  Filling walls = filling;
+  addPatch(walls, flow, {}, {});
+  std::vector<Filling> patches(flow.choices.size(), filling);
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    addPatch(patches[i], flow, flow.mesh.patches[i], flow.choices[i]);
+  }
+  const std::vector<CaseField> fields = writtenFields(filling);
+  checkFieldNames(flow.settings.conditionRules, fields);
+  for (const CaseField& field : fields)
+  {
+    const std::string name(field.name);
+    Filling its = filling;
+    its.values["conditionOfWalls"] = textOf(caseConditions(), name, walls);
+    its.values["patches"] = patchesOf(name, flow, patches);
+    writeFoamFile(folder, fileOf(field), field.className, textOf(caseFiles(), fileOf(field), its));
+  }
+}
+
+// Lists in the dictionaries
+
+Filling withField(Filling filling, const CaseField& field)
+{
+  filling.facts.emplace(field.name);
+  filling.values["field"] = {std::string(field.name)};
+  return filling;
+}
+
+/// Adds what fvSchemes lists by field.
+void addFieldSchemes(Filling& filling)
+{
+  Lines schemes;
+  std::vector<std::string> turbulence;
+  for (const CaseField& field : caseFields())
+  {
+    const bool isTurbulence = field.kind == FieldKind::Turbulence;
+    if (holds(field.when, filling) && (isTurbulence || field.kind == FieldKind::Scalar))
+    {
+      append(schemes, textOf(caseParts(), "divScheme", withField(filling, field)));
+    }
+    if (holds(field.when, filling) && isTurbulence)
+    {
+      turbulence.emplace_back(field.name);
+    }
+  }
+  filling.values["divSchemes"] = schemes;
+  filling.values["turbulenceFields"] = {alternatives(turbulence)};
+}
+
+/// Adds what fvSolution lists by field. Entries of fields that a case lacks do no harm.
+void addFieldSolvers(Filling& filling)
+{
+  std::vector<std::string> alike;
+  Lines others;
+  Lines relaxations;
+  for (const CaseField& field : caseFields())
+  {
+    const Filling its = withField(filling, field);
+    const Lines solver = textOf(caseParts(), "fieldSolver", its);
+    if (solver.empty() && field.kind != FieldKind::Derived)
+    {
+      alike.emplace_back(field.name);
+    }
+    append(others, solver);
+    if (field.kind == FieldKind::Scalar)
+    {
+      append(relaxations, textOf(caseParts(), "scalarRelaxation", its));
+    }
+  }
+  filling.values["fieldsSolvedAlike"] = {alternatives(alike)};
+  filling.values["otherSolvers"] = others;
+  filling.values["scalarRelaxations"] = relaxations;
+}
+
+/// Returns a function that sums the flow through a patch or a face zone.
+Lines flowFunction(Filling filling, const std::string& function, const std::string& type, const std::string& name)
+{
+  filling.values["function"] = {function + "_" + name};
+  filling.values["regionType"] = {type};
+  filling.values["region"] = {name};
+  return textOf(caseParts(), "flowFunction", filling);
+}
+
+/// Adds the functions of all flows. With signs and without, the sums of an opening give what flows either way.
+void addFlows(Filling& filling, const CaseOfDirection& flow)
+{
+  Filling bothWays = filling;
+  bothWays.facts.insert("bothWays");
+  Lines flows;
+  for (const CaseOpening& opening : flow.mesh.openings)
+  {
+    append(flows, flowFunction(filling, "flow", "faceZone", opening.name));
+    append(flows, flowFunction(bothWays, "flowBothWays", "faceZone", opening.name));
+  }
+  for (const PatchRole role : {PatchRole::Inlet, PatchRole::Outlet, PatchRole::InletOutlet})
+  {
+    for (const std::string& patch : flow.namesOf(role))
+    {
+      append(flows, flowFunction(filling, "flow", "patch", patch));
+    }
+  }
+  filling.values["flows"] = flows;
+}
+
+void addProbes(Filling& filling, const std::vector<Vec3>& probes)
+{
+  for (const Vec3& place : probes)
+  {
+    filling.values["probes"].push_back(foamVector(place));
+  }
+}
+
+/// True for a dictionary, which is neither a field nor a script.
+bool isDictionary(std::string_view file) { return file.starts_with("constant/") || file.starts_with("system/"); }
+
+void writeDictionaries(const fs::path& folder, const Filling& filling)
+{
+  for (const CaseRow& row : caseFiles())
+  {
+    if (isDictionary(row.what) && rowOf(caseFiles(), row.what, filling) == &row)
+    {
+      writeFoamFile(folder, row.what, "dictionary", textOf(caseFiles(), row.what, filling));
+    }
+  }
+}
+
+void writeScripts(const fs::path& folder, const Filling& filling)
+{
+  for (const char* script : {"Allrun", "Allclean"})
+  {
+    writeScript(folder / script, textOf(caseFiles(), script, filling));
+  }
+}
+
+} // namespace
+
+void writeCaseFiles(const fs::path& folder, const CaseOfDirection& flow)
+{
+  Filling filling = fillingOf(flow);
+  writeFields(folder, flow, filling);
+  addFieldSchemes(filling);
+  addFieldSolvers(filling);
+  addFlows(filling, flow);
+  addProbes(filling, flow.probes);
+  writeDictionaries(folder, filling);
+  writeScripts(folder, filling);
+}
+
+void writeRoseScripts(const fs::path& folder, const std::vector<std::string>& folders)
+{
+  for (const char* script : {"Allrun", "Allclean"})
+  {
+    Filling filling{{"rose"}, {{"script", {script}}}};
+    Lines runs;
+    for (const std::string& direction : folders)
+    {
+      filling.values["folder"] = {direction};
+      append(runs, textOf(caseParts(), "runOfDirection", filling));
+    }
+    filling.values["directions"] = runs;
+    writeScript(folder / script, textOf(caseFiles(), script, filling));
+  }
+}
+
+} // namespace atria

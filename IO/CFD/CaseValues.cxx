@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "CaseValues.h"
+
+#include "Decomposition.h"
+#include "FoamText.h"
+#include "Support/Text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace atria {
+
+namespace {
+
+/// Kinematic viscosity and density of air at 15 degrees Celsius, m2/s and kg/m3.
+constexpr double airViscosity = 1.5e-5;
+constexpr double airDensity = 1.225;
+/// Most iterations for the age of air each time it is written.
+constexpr int ageCorrectors = 200;
+/// Turbulence of air from a duct or a diffuser: speeds vary by a twentieth of their mean. Eddies have this share of the
+/// opening's hydraulic diameter.
+constexpr double supplyIntensity = 0.05;
+constexpr double eddyShare = 0.07;
+
+using Values = std::map<std::string, Lines, std::less<>>;
+
+void add(Values& values, const char* name, const std::string& value) { values[name] = {value}; }
+void add(Values& values, const char* name, double value) { values[name] = {foamNumber(value)}; }
+void add(Values& values, const char* name, const Vec3& value) { values[name] = {foamVector(value)}; }
+
+/// Values of the turbulence model.
+struct Turbulence
+{
+  double k = 0.0;       ///< m2/s2
+  double epsilon = 0.0; ///< m2/s3
+  double omega = 0.0;   ///< 1/s
+};
+
+/// Returns four areas over the perimeter of a rectangle with the patch's area and diagonal, meters.
+double hydraulicDiameter(const CasePatch& patch)
+{
+  return 2.0 * patch.area / std::sqrt(patch.bounds.size().squaredNorm() + 2.0 * patch.area);
+}
+
+Turbulence turbulenceOf(const Supply& supply, const CasePatch& patch)
+{
+  const double speed = supplyIntensity * supply.speed(patch.area);
+  const double k = 1.5 * speed * speed;
+  const double length = eddyShare * hydraulicDiameter(patch);
+  return {k, std::pow(turbulenceCmu, 0.75) * std::pow(k, 1.5) / length,
+          std::sqrt(k) / (std::pow(turbulenceCmu, 0.25) * length)};
+}
+
+/// Returns the turbulence of the wind at its reference height, or, in a room, of the inlet with the largest flow rate.
+Turbulence typicalTurbulence(const CaseOfDirection& flow)
+{
+  double most = 0.0;
+  Turbulence found;
+  for (std::size_t i = 0; flow.isRoom() && i < flow.choices.size(); ++i)
+  {
+    const auto& supply = flow.choices[i].supply;
+    const CasePatch& patch = flow.mesh.patches[i];
+    if (supply && patch.area > 0.0 && supply->flowRate(patch.area) > most)
+    {
+      most = supply->flowRate(patch.area);
+      found = turbulenceOf(*supply, patch);
+    }
+  }
+  const WindProfile& wind = flow.settings.wind;
+  const double z = wind.referenceHeight;
+  return flow.isRoom() ? found : Turbulence{wind.kineticEnergy(), wind.dissipation(z), wind.specificDissipation(z)};
+}
+
+/// Returns a table of the wind's omega over the height above the patch's lowest point, finer near the ground.
+std::string omegaOverHeight(const WindProfile& wind, const CasePatch& patch)
+{
+  constexpr int rows = 40;
+  const double top = patch.bounds.size()[2];
+  std::string table;
+  for (int i = 0; i <= rows; ++i)
+  {
+    const double z = wind.roughness * (std::pow(1.0 + top / wind.roughness, static_cast<double>(i) / rows) - 1.0);
+    table += (i == 0 ? "(" : " (") + foamNumber(z) + " " + foamNumber(wind.specificDissipation(z)) + ")";
+  }
+  return table;
+}
+
+/// Returns the number of iterations between written fields. It divides `iterations`: OpenFOAM does not write at the end
+/// by itself.
+int iterationsBetweenFields(int iterations)
+{
+  constexpr int most = 500;
+  const int times = (iterations + most - 1) / most;
+  return times > 1 && iterations % times == 0 ? iterations / times : std::max(1, iterations);
+}
+
+/// Returns the names of all walls but the ground, in quotes.
+std::string quotedWalls(const CaseOfDirection& flow)
+{
+  std::vector<std::string> names = flow.namesOf(PatchRole::Wall);
+  std::ranges::copy(flow.namesOf(PatchRole::RoughWall), std::back_inserter(names));
+  std::string walls;
+  for (const std::string& name : names)
+  {
+    walls += (walls.empty() ? "\"" : " \"") + name + '"';
+  }
+  return walls;
+}
+
+const char* factOf(OpenFOAMDialect dialect)
+{
+  constexpr const char* names[] = {"opencfd-1912", "opencfd-2006", "foundation-11", "foundation-14"};
+  return names[static_cast<std::size_t>(dialect)];
+}
+
+const char* factOf(const CaseOfDirection& flow, const PatchChoice& choice)
+{
+  if (choice.supply)
+  {
+    return choice.supply->quantity == Supply::Speed ? "inletBySpeed" : "inletByFlow";
+  }
+  switch (choice.role)
+  {
+    case PatchRole::Inlet:
+      return "windInlet";
+    case PatchRole::InletOutlet:
+      return flow.isRoom() ? "opening" : "windBothWays";
+    case PatchRole::Outlet:
+      return "outlet";
+    case PatchRole::Slip:
+      return "slip";
+    case PatchRole::Ground:
+      return "ground";
+    case PatchRole::RoughWall:
+      return "roughWall";
+    case PatchRole::Constraint:
+      return "constraint";
+    default:
+      return "wall";
+  }
+}
+
+void addFacts(Filling& filling, const CaseOfDirection& flow)
+{
+  const FlowCaseSettings& settings = flow.settings;
+  filling.facts = {factOf(settings.dialect), isFoundation(settings.dialect) ? "foundation" : "opencfd",
+                   flow.isRoom() ? "room" : "wind", modelName(settings.turbulence)};
+  const std::pair<const char*, bool> others[] = {
+      {"ageOfAir", settings.ageOfAir}, {"pedestrians", !flow.probes.empty()}, {"walls", !quotedWalls(flow).empty()}};
+  for (const auto& [fact, isTrue] : others)
+  {
+    if (isTrue)
+    {
+      filling.facts.insert(fact);
+    }
+  }
+}
+
+void addWind(Values& values, const CaseOfDirection& flow)
+{
+  const WindProfile& wind = flow.settings.wind;
+  add(values, "windDirection", flow.wind);
+  add(values, "windSpeed", wind.speed);
+  add(values, "windHeight", wind.referenceHeight);
+  add(values, "windVelocity", Vec3(wind.speed * flow.wind));
+  add(values, "roughness", wind.roughness);
+}
+
+void addModel(Values& values, const CaseOfDirection& flow)
+{
+  const Turbulence typical = typicalTurbulence(flow);
+  add(values, "turbulenceModel", modelName(flow.settings.turbulence));
+  add(values, "k", typical.k);
+  add(values, "epsilon", typical.epsilon);
+  add(values, "omega", typical.omega);
+  add(values, "airViscosity", airViscosity);
+  add(values, "airDensity", airDensity);
+}
+
+void addSchemes(Values& values, double worstAngle)
+{
+  const OrthogonalityRule rule = ruleForAngle(worstAngle);
+  add(values, "worstAngle", worstAngle);
+  add(values, "correction", rule.correction);
+  add(values, "turbulenceCorrection", rule.turbulenceCorrection);
+  add(values, "correctors", rule.correctors);
+  add(values, "pressureRelaxation", rule.pressureRelaxation);
+  add(values, "equationRelaxation", rule.equationRelaxation);
+  add(values, "turbulenceRelaxation", rule.turbulenceRelaxation);
+}
+
+void addRun(Values& values, const CaseOfDirection& flow)
+{
+  const Box3& bounds = flow.mesh.bounds;
+  add(values, "iterations", flow.settings.iterations);
+  add(values, "iterationsBetweenFields", iterationsBetweenFields(flow.settings.iterations));
+  add(values, "averageStart", std::max(1, flow.settings.iterations * 4 / 5));
+  add(values, "ageCorrectors", ageCorrectors);
+  add(values, "walls", quotedWalls(flow));
+  add(values, "lowestOfMesh", bounds.min[2]);
+  add(values, "centerOfGround", Vec3(bounds.center()[0], bounds.center()[1], bounds.min[2]));
+}
+
+void addSupply(Values& values, const CasePatch& patch, const Supply& supply)
+{
+  const Turbulence its = turbulenceOf(supply, patch);
+  add(values, supply.quantity == Supply::Speed ? "inletSpeed" : "inletFlow", supply.amount);
+  add(values, "inletIntensity", supplyIntensity);
+  add(values, "inletMixingLength", eddyShare * hydraulicDiameter(patch));
+  add(values, "inletK", its.k);
+  add(values, "inletEpsilon", its.epsilon);
+  add(values, "inletOmega", its.omega);
+}
+
+} // namespace
+
+std::vector<std::string> CaseOfDirection::namesOf(PatchRole role) const
+{
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+  {
+    if (choices[i].role == role)
+    {
+      names.push_back(mesh.patches[i].name);
+    }
+  }
+  return names;
+}
+
+OrthogonalityRule ruleForAngle(double worst)
+{
+  if (worst <= 60.0)
+  {
+    return {"corrected", "limited corrected 0.3", 0, 0.9, 0.8, 0.7};
+  }
+  if (worst <= 70.0)
+  {
+    return {"limited corrected 0.5", "limited corrected 0.3", 1, 0.9, 0.8, 0.7};
+  }
+  return {"limited corrected 0.333", "limited corrected 0.333", 2, 0.7, 0.7, 0.5};
+}
+
+const char* modelName(TurbulenceModel model)
+{
+  constexpr const char* names[] = {"kEpsilon", "realizableKE", "kOmegaSST"};
+  return names[static_cast<std::size_t>(model)];
+}
+
+Filling fillingOf(const CaseOfDirection& flow)
+{
+  Filling filling;
+  addFacts(filling, flow);
+  if (!flow.isRoom())
+  {
+    addWind(filling.values, flow);
+  }
+  addModel(filling.values, flow);
+  addSchemes(filling.values, flow.mesh.worstNonOrthogonality);
+  addRun(filling.values, flow);
+  if (flow.settings.processors > 1)
+  {
+    addDivision(filling, static_cast<std::size_t>(flow.settings.processors), flow.mesh.bounds.size());
+  }
+  return filling;
+}
+
+void addPatch(Filling& filling, const CaseOfDirection& flow, const CasePatch& patch, const PatchChoice& choice)
+{
+  filling.facts.insert(factOf(flow, choice));
+  add(filling.values, "patch", patch.name);
+  add(filling.values, "patchType", patch.type);
+  add(filling.values, "lowestOfPatch", patch.bounds.min[2]);
+  if (choice.supply)
+  {
+    return addSupply(filling.values, patch, *choice.supply);
+  }
+  const bool takesWind = choice.role == PatchRole::Inlet || choice.role == PatchRole::InletOutlet;
+  if (takesWind && !flow.isRoom())
+  {
+    filling.facts.insert("windInlet");
+    add(filling.values, "omegaOverHeight", omegaOverHeight(flow.settings.wind, patch));
+  }
+  if (choice.role == PatchRole::RoughWall)
+  {
+    add(filling.values, "sandGrain", choice.sandGrain);
+  }
+}
+
+} // namespace atria
