@@ -3,11 +3,9 @@
 
 #include "Decomposition.h"
 #include "FoamText.h"
-#include "Support/Text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace atria {
 
@@ -96,14 +94,15 @@ int iterationsBetweenFields(int iterations)
 }
 
 /// Returns the names of all walls but the ground, in quotes.
-std::string quotedWalls(const CaseOfDirection& flow)
+std::vector<std::string> quotedWalls(const CaseOfDirection& flow)
 {
-  std::vector<std::string> names = flow.namesOf(PatchRole::Wall);
-  std::ranges::copy(flow.namesOf(PatchRole::RoughWall), std::back_inserter(names));
-  std::string walls;
-  for (const std::string& name : names)
+  std::vector<std::string> walls;
+  for (const PatchRole role : {PatchRole::Wall, PatchRole::RoughWall})
   {
-    walls += (walls.empty() ? "\"" : " \"") + name + '"';
+    for (const std::string& name : flow.namesOf(role))
+    {
+      walls.push_back('"' + name + '"');
+    }
   }
   return walls;
 }
@@ -197,7 +196,7 @@ void addRun(Values& values, const CaseOfDirection& flow)
   add(values, "iterationsBetweenFields", iterationsBetweenFields(flow.settings.iterations));
   add(values, "averageStart", std::max(1, flow.settings.iterations * 4 / 5));
   add(values, "ageCorrectors", ageCorrectors);
-  add(values, "walls", quotedWalls(flow));
+  add(values, "walls", foamList(quotedWalls(flow)));
   add(values, "lowestOfMesh", bounds.min[2]);
   add(values, "centerOfGround", Vec3(bounds.center()[0], bounds.center()[1], bounds.min[2]));
 }
