@@ -384,12 +384,12 @@ void addDivision(Filling& filling, std::size_t parts, const Vec3& size)
   {
     fewer = parts % divisor == 0 ? divisor : fewer;
   }
-  const auto more = static_cast<double>(parts / fewer);
-  const auto less = static_cast<double>(fewer);
+  const std::size_t more = parts / fewer;
+  const auto alongX = static_cast<double>(size[0] < size[1] ? fewer : more);
+  const auto alongY = static_cast<double>(size[0] < size[1] ? more : fewer);
   filling.facts.insert("parallel");
   filling.values["processors"] = {std::to_string(parts)};
-  filling.values["processorsAlongAxes"] = {
-      foamVector(size[0] < size[1] ? Vec3(less, more, 1.0) : Vec3(more, less, 1.0))};
+  filling.values["processorsAlongAxes"] = {foamVector({alongX, alongY, 1.0})};
 }
 
 void writeDecomposition(const fs::path& caseFolder, std::size_t parts, const Vec3& size)
