@@ -185,6 +185,16 @@ void addFlows(Filling& filling, const CaseOfDirection& flow)
   filling.values["flows"] = flows;
 }
 
+void addWalls(Filling& filling, const CaseOfDirection& flow)
+{
+  std::vector<std::string> walls = flow.walls();
+  for (std::string& name : walls)
+  {
+    name = '"' + name + '"';
+  }
+  filling.values["walls"] = {foamList(walls)};
+}
+
 void addProbes(Filling& filling, const std::vector<Vec3>& probes)
 {
   for (const Vec3& place : probes)
@@ -224,6 +234,7 @@ void writeCaseFiles(const fs::path& folder, const CaseOfDirection& flow)
   addFieldSchemes(filling);
   addFieldSolvers(filling);
   addFlows(filling, flow);
+  addWalls(filling, flow);
   addProbes(filling, flow.probes);
   writeDictionaries(folder, filling);
   writeScripts(folder, filling);

@@ -12,7 +12,7 @@ namespace atria {
 /// A row of the table. The first row for something whose facts hold gives its template.
 struct CaseRow
 {
-  std::string_view what; ///< one name or several (`U|k`)
+  std::string_view what; ///< one name, several (`U|k`) or all (`*`)
   std::string_view when; ///< facts that must hold, all of them; of `a|b` one
   std::string_view from; ///< name of the template
 };

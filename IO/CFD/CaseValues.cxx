@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace atria {
 
@@ -93,20 +94,6 @@ int iterationsBetweenFields(int iterations)
   return times > 1 && iterations % times == 0 ? iterations / times : std::max(1, iterations);
 }
 
-/// Returns the names of all walls but the ground, in quotes.
-std::vector<std::string> quotedWalls(const CaseOfDirection& flow)
-{
-  std::vector<std::string> walls;
-  for (const PatchRole role : {PatchRole::Wall, PatchRole::RoughWall})
-  {
-    for (const std::string& name : flow.namesOf(role))
-    {
-      walls.push_back('"' + name + '"');
-    }
-  }
-  return walls;
-}
-
 const char* factOf(OpenFOAMDialect dialect)
 {
   constexpr const char* names[] = {"opencfd-1912", "opencfd-2006", "foundation-11", "foundation-14"};
@@ -146,7 +133,7 @@ void addFacts(Filling& filling, const CaseOfDirection& flow)
   filling.facts = {factOf(settings.dialect), isFoundation(settings.dialect) ? "foundation" : "opencfd",
                    flow.isRoom() ? "room" : "wind", modelName(settings.turbulence)};
   const std::pair<const char*, bool> others[] = {
-      {"ageOfAir", settings.ageOfAir}, {"pedestrians", !flow.probes.empty()}, {"walls", !quotedWalls(flow).empty()}};
+      {"ageOfAir", settings.ageOfAir}, {"pedestrians", !flow.probes.empty()}, {"walls", !flow.walls().empty()}};
   for (const auto& [fact, isTrue] : others)
   {
     if (isTrue)
@@ -196,7 +183,6 @@ void addRun(Values& values, const CaseOfDirection& flow)
   add(values, "iterationsBetweenFields", iterationsBetweenFields(flow.settings.iterations));
   add(values, "averageStart", std::max(1, flow.settings.iterations * 4 / 5));
   add(values, "ageCorrectors", ageCorrectors);
-  add(values, "walls", foamList(quotedWalls(flow)));
   add(values, "lowestOfMesh", bounds.min[2]);
   add(values, "centerOfGround", Vec3(bounds.center()[0], bounds.center()[1], bounds.min[2]));
 }
@@ -224,6 +210,13 @@ std::vector<std::string> CaseOfDirection::namesOf(PatchRole role) const
       names.push_back(mesh.patches[i].name);
     }
   }
+  return names;
+}
+
+std::vector<std::string> CaseOfDirection::walls() const
+{
+  std::vector<std::string> names = namesOf(PatchRole::Wall);
+  std::ranges::copy(namesOf(PatchRole::RoughWall), std::back_inserter(names));
   return names;
 }
 

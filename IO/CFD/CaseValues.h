@@ -17,6 +17,8 @@ struct CaseOfDirection
   std::vector<Vec3> probes;
 
   std::vector<std::string> namesOf(PatchRole role) const;
+  /// Returns the names of all walls but the ground.
+  std::vector<std::string> walls() const;
   bool isRoom() const { return settings.kind == FlowKind::Room; }
 };
 
@@ -40,7 +42,7 @@ OrthogonalityRule ruleForAngle(double worstNonOrthogonality);
 /// Returns OpenFOAM's name, which is also a fact.
 const char* modelName(TurbulenceModel model);
 
-/// Returns what all templates of the case may name.
+/// Returns what all templates of the case may name. Each patch has a copy, so long lists are not in it.
 Filling fillingOf(const CaseOfDirection& flow);
 /// Adds what boundary conditions of a patch may name.
 void addPatch(Filling& filling, const CaseOfDirection& flow, const CasePatch& patch, const PatchChoice& choice);
