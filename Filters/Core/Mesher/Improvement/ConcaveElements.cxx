@@ -13,7 +13,7 @@ namespace atria {
 
 namespace {
 
-/// Whether one of two faces, outward, has the other behind its plane or in it.
+/// True if one of two outward faces is behind the plane of the other, or in it.
 bool areConcave(const PolygonMeasure& a, const PolygonMeasure& b)
 {
   const Vec3 way = b.centroid - a.centroid;
@@ -36,7 +36,7 @@ bool anyConcave(const std::vector<PolygonMeasure>& faces)
   return false;
 }
 
-/// Those with two boundary faces or more that are concave as they are.
+/// Returns the elements with several boundary faces that are concave before faces are merged.
 std::vector<Index> findCandidates(const DualMesh& mesh, const Executor& executor)
 {
   std::vector<Index> elements(mesh.boundaryFaces.size());
@@ -84,7 +84,7 @@ std::vector<Index> findConcaveAtWalls(const DualMesh& mesh, const RunContext& co
     std::vector<PolygonMeasure> faces;
     for (const Index face : cellFaces.of(cell))
     {
-      if (face >= part.mesh.internalFaceCount()) // of this cell, as all beside it are there
+      if (face >= part.mesh.internalFaceCount()) // a boundary face of this cell, as all its neighbors are in the part
       {
         faces.push_back(measurePolygon(part.mesh.points, part.mesh.face(face)));
       }

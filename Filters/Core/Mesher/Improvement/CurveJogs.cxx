@@ -20,7 +20,7 @@ public:
   RemovedJogs run()
   {
     RemovedJogs out;
-    // A jog may have another beside it. Each leaves the curve shorter by two edges, so that there is a last one.
+    // A jog may have another beside it. Each makes the curve shorter by two edges, so this ends.
     for (bool isDone = false; !isDone;)
     {
       isDone = true;
@@ -50,7 +50,8 @@ private:
     return a.chart == b.chart && a.side == b.side && a.tag == b.tag;
   }
 
-  /// The edge with a face of the same chart across it, if those of another are across all others; else -1.
+  /// Returns the edge with a face of the same chart across it, if faces of another chart are across all others; else
+  /// -1.
   int innerEdge(Index f) const
   {
     const BoundaryFace& face = mesh.boundaryFaces[f];
@@ -71,7 +72,7 @@ private:
     return inner >= 0 && isBeyond(inner + 1) && isBeyond(inner + 2) && isBeyond(inner + 3) ? inner : -1;
   }
 
-  /// Whether the points between edges on the curve are on one, and in line at one of them.
+  /// True if both points between edges on the curve are on one curve, and the edges are in line at one of them.
   bool isJog(Index f, int inner) const
   {
     const Index first = vertexAt(f, inner + 2);
@@ -84,7 +85,7 @@ private:
     return isStraight(f, inner + 2) || isStraight(f, inner + 3);
   }
 
-  /// Whether the other side of a sheet looks the same.
+  /// True if the other side of a sheet has the same jog.
   bool canJoin(Index f, int inner) const
   {
     if (mesh.boundaryFaces[f].opposite == noIndex)
@@ -153,7 +154,7 @@ private:
     }
   }
 
-  /// How many points stand for a vertex. Most meshes have no jog and never ask.
+  /// Returns the number of points of a vertex. Counts at the first call, as most meshes have no jog.
   Index pointsOf(Index vertex)
   {
     if (pointCounts.empty())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Straightens curves that go around a face of the mesh.
+/// Straightens curves of the mesh that go around a face.
 #pragma once
 
 #include "Dual/Vertices/DualVertices.h"
@@ -7,19 +7,19 @@
 
 namespace atria {
 
-/// What straightening changed.
+/// Changes made by removeJogs().
 struct RemovedJogs
 {
   Index faces = 0;
   std::vector<Index> freed; ///< points that left a curve, those of one vertex one after the other
 };
 
-/// Straightens chains of edges on curves where they go round a face: three of its edges are on the curve then, and it
-/// is flat wherever its points are on that. It becomes one of the surface beyond the curve, whose charts its inner
-/// points are on then. So it is where a corner between two walls reaches just past an edge of the grid, and a grid
-/// point went there. The two sides of a sheet go together; sides of the domain are left alone.
-///
-/// `mesh` has its sheets split; `vertexOf` gives the vertex of each point. Linear in the faces of the boundary.
+/// Straightens curves where they go around a face, a jog: three edges of the face are on the curve, and no place of its
+/// points on the curve gives it an area. The face then belongs to the surface beyond the curve, and its inner points
+/// slide on that. Jogs arise where a corner between two walls reaches just past an edge of the grid. Both sides of a
+/// sheet change together. Sides of the domain stay as they are.
+/// \param mesh      A mesh whose sheets are split.
+/// \param vertexOf  The vertex of each point. Linear in the boundary faces.
 RemovedJogs removeJogs(DualMesh& mesh, const BoundaryGraph& graph, const std::vector<Index>& vertexOf,
                        VertexClassification& classification);
 

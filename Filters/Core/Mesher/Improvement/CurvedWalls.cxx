@@ -14,16 +14,16 @@ namespace atria {
 
 namespace {
 
-/// A wall is flat if its chart is, or at a point if its faces there turn by less than a quarter of a degree.
+/// A wall is flat if its chart is; at a point if its faces there turn by less than a quarter of a degree.
 constexpr double flatCosine = 1.0 - 1e-5;
-/// It is smooth if they turn by less than this, or are at an edge of the domain: other elements, where octants
-/// are coarse or a wall stands on the ground, do not come to be as good, and trying to takes long for little: half of
-/// the whole time for one degree in the mean.
+/// A wall is smooth if its faces turn by less than this, or are at an edge of the domain. Elements at other walls,
+/// where octants are coarse or a wall stands on the ground, hardly improve: half of the whole time wins one degree in
+/// the mean.
 const double smoothCosine = cosOfDegrees(12.01);
-/// How much thicker a layer of no asked height may be on curved walls, where nothing beside it needs the room.
+/// Factor by which the layer is thicker on curved walls where nothing beside it needs the room.
 constexpr double thicker = 5.0 / 3.0;
 
-/// By chart whether it is not flat. Triangles so thin that rounding may turn them are not looked at.
+/// Returns marks of the charts that are not flat. Ignores triangles so thin that rounding may turn them.
 std::vector<char> findBent(const SurfaceModel& model)
 {
   const double leastHeight = latticeRounding / std::sqrt(2.0 * (1.0 - flatCosine));
@@ -113,7 +113,7 @@ bool CurvedWalls::hasCurved(Index cell) const
                              [&](Index p) { return (curved_[state_.layer.wallPointOf(p)] & curved) != 0; });
 }
 
-/// Whether it is at a curved wall, and all its points on walls are away from creases and boundary edges.
+/// True if a cell is at a curved wall, and its points on walls are away from creases and boundary edges.
 bool CurvedWalls::isAtCurved(Index cell) const { return hasCurved(cell) && isAwayFromCreases(cell); }
 
 bool CurvedWalls::isHexahedronAtCurved(Index cell) const
@@ -123,14 +123,14 @@ bool CurvedWalls::isHexahedronAtCurved(Index cell) const
   return isAtCurved(cell) && std::ranges::adjacent_find(corners) == corners.end();
 }
 
-/// Whether none of its points are on walls that are curved but not smooth.
+/// True if no point of a cell is on a wall that is curved but not smooth.
 bool CurvedWalls::isAtSmooth(Index cell) const
 {
   return std::ranges::all_of(state_.layer.mesh.corners[cell],
                              [&](Index p) { return (curved_[state_.layer.wallPointOf(p)] & edged) == 0; });
 }
 
-/// Points with a copy, of which all cells with it are hexahedra at curved walls.
+/// Returns points whose copies have only hexahedra at curved walls around them.
 std::vector<Index> CurvedWalls::pointsAtCurved() const
 {
   std::vector<char> others(state_.layer.plainPoints, 0);
@@ -156,7 +156,7 @@ std::vector<Index> CurvedWalls::pointsAtCurved() const
   return points;
 }
 
-/// Takes copies back to where they were, as long as cells at their points fall short.
+/// Moves copies back to where they were, as long as cells at their points fall short.
 void CurvedWalls::takeBack(std::vector<WantedPlace> thick)
 {
   while (!thick.empty())
@@ -186,7 +186,7 @@ void CurvedWalls::thicken()
   {
     return;
   }
-  std::vector<WantedPlace> thick; // where their copies were
+  std::vector<WantedPlace> thick; // former places of copies
   for (const Index p : pointsAtCurved())
   {
     Vec3& copy = state_.layer.mesh.points[state_.layer.copies[p]];
@@ -196,7 +196,7 @@ void CurvedWalls::thicken()
   takeBack(std::move(thick));
 }
 
-/// Elements at smooth walls that are below a share of targets.
+/// Returns the elements at smooth walls that are below a share of the targets.
 std::vector<ShortCell> CurvedWalls::farAtSmooth(const QualityTargets& wanted, float share)
 {
   QualityTargets by = wanted;
@@ -223,7 +223,7 @@ void CurvedWalls::improve()
   }
 }
 
-/// Goes on as long as a third of those beyond the last limit gets in by that.
+/// Repeats the stages as long as a third of the cells beyond the last limit gets within it.
 void CurvedWalls::bringClose()
 {
   const std::array<ImproverStage, 2> stages = closeStages(state_.traits, wanted_);

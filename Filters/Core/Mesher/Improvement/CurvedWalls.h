@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Makes what is valid good at curved walls, where angles are to be small.
+/// Improves valid elements at curved walls until their angles are small.
 #pragma once
 
 #include "Mesher/Improvement/ImproverState.h"
 
 namespace atria {
 
-/// For a single layer of no asked height.
+/// Improves the elements of a single layer whose height is left to the mesh.
 class CurvedWalls
 {
 public:
-  /// Finds how walls turn from face to face at points.
+  /// Finds how walls turn from face to face at each point.
   CurvedWalls(ImproverState& state, const CurvedWallTargets& wanted);
 
-  /// Whether there are none.
+  /// True if no wall is curved.
   bool isEmpty() const { return curved_.empty(); }
-  /// Makes the layer thicker there as far as no cell falls short by it.
+  /// Makes the layer thicker at curved walls, where no cell falls short by that.
   void thicken();
-  /// Brings elements there to what is wanted: all hexahedra, and what else is far from it where all walls are smooth.
+  /// Improves hexahedra at curved walls toward the targets; where all walls are smooth, also the other cells far from
+  /// these.
   void improve();
 
 private:
@@ -25,8 +26,8 @@ private:
   enum Bend : std::uint8_t
   {
     straight = 0,
-    curved = 1, ///< as a curved wall does
-    edged = 2   ///< as at an edge; with `curved`, as a wall that is curved but not smooth, or meets another
+    curved = 1, ///< like a curved wall
+    edged = 2   ///< like an edge; with `curved`, the wall is curved but not smooth, or meets another
   };
 
   bool isAwayFromCreases(Index cell) const;
@@ -41,7 +42,7 @@ private:
 
   ImproverState& state_;
   CurvedWallTargets wanted_;
-  /// By point of the plain mesh; empty where no wall is curved.
+  /// One entry per point of the plain mesh; empty if no wall is curved.
   std::vector<std::uint8_t> curved_;
 };
 

@@ -17,21 +17,21 @@ namespace atria {
 
 namespace {
 
-/// Rows of elements about those that fail: unions reach one row, and what they are judged by another one.
+/// Rows of elements around those that fail: unions reach one row, and the cells they are judged by one more.
 constexpr int judgedRows = 2;
 constexpr int rows = judgedRows + 1;
-/// How often what comes to fail beside elements that are left out is left out, too: rows of elements along an edge go
-/// one after the other.
+/// Largest number of rounds, in each of which elements that fail beside those left out are left out, too: rows of
+/// elements along an edge go one after the other.
 constexpr int mostRounds = 12;
 
-/// To a list in order.
+/// Adds elements to a sorted list.
 void add(const std::vector<Index>& elements, std::vector<Index>& list)
 {
   list.insert(list.end(), elements.begin(), elements.end());
   sortUnique(list);
 }
 
-/// By element, how many rows away from some elements it is.
+/// Distance of elements from some others, in rows.
 using Rows = std::map<Index, int>;
 
 Rows rowsAbout(const DualMesh& mesh, const std::vector<Index>& elements)
@@ -60,7 +60,7 @@ Rows rowsAbout(const DualMesh& mesh, const std::vector<Index>& elements)
   return rowOf;
 }
 
-/// Elements that are near each other, each time in order.
+/// Returns groups of elements that are near each other, each sorted.
 std::vector<std::vector<Index>> placesOf(const DualMesh& mesh, const std::vector<Index>& elements)
 {
   UnionFind sets(elements.size());
@@ -96,10 +96,10 @@ std::set<Index> elementsAtZoneFaces(const DualMesh& mesh)
   return elements;
 }
 
-/// Elements with several faces on one side of a surface: what lies in one plane is written as one.
+/// Returns elements with several faces on one side of a surface. Faces in one plane are written as one.
 std::vector<Index> elementsWithUnions(const DualMesh& mesh)
 {
-  std::vector<std::tuple<Index, Index, SheetSide>> patches; // of faces, after their elements
+  std::vector<std::tuple<Index, Index, SheetSide>> patches; // one of each face, sorted by element
   for (const BoundaryFace& face : mesh.boundaryFaces)
   {
     patches.emplace_back(face.element, face.tag, face.side);
@@ -116,13 +116,13 @@ std::vector<Index> elementsWithUnions(const DualMesh& mesh)
   return elements;
 }
 
-/// What fails of a part of a mesh as it is written.
+/// Failures in a part of a mesh as it is written.
 struct JudgedPart
 {
-  std::size_t count = 0;      ///< of written cells
+  std::size_t count = 0;      ///< number of written cells that fail
   std::vector<Index> firsts;  ///< the first element in each of these
-  std::vector<Index> failing; ///< elements in these, in order
-  std::vector<Index> alone;   ///< those of them that fail by themselves, too
+  std::vector<Index> failing; ///< all elements in these, sorted
+  std::vector<Index> alone;   ///< elements in these that also fail before cells are merged
 };
 
 /// Judges elements as they are written without some of them.
@@ -131,7 +131,7 @@ class PartJudge
 public:
   PartJudge(const DualMesh& whole, const RunContext& within) : mesh(whole), context(within) {}
 
-  /// What is about some elements, when these are left out.
+  /// Judges the surroundings of some elements when these are left out.
   JudgedPart judge(const std::vector<Index>& about, const std::vector<Index>& leftOut) const
   {
     const Rows rowOf = rowsAbout(mesh, about);
@@ -144,7 +144,7 @@ public:
       }
     }
     const PartialMesh part = makePartialMesh(mesh, elements, leftOut);
-    // What is beyond is not whole.
+    // Cells beyond the part are not whole.
     std::vector<Index> beyond(part.mesh.cellCount - elements.size());
     std::iota(beyond.begin(), beyond.end(), static_cast<Index>(elements.size()));
     const std::vector<Index> written = failingCells(part, {.keptCells = beyond});
@@ -175,7 +175,7 @@ public:
   }
 
 private:
-  /// By element of a part, the written cell it is in where that fails; noIndex where it does not.
+  /// Returns for each element of a part the written cell that it is in if that fails; else noIndex.
   std::vector<Index> failingCells(const PartialMesh& part, const UnionOptions& options) const
   {
     SilentMonitor silent;
@@ -200,18 +200,18 @@ private:
   const RunContext& context;
 };
 
-/// Elements of a place at which something is to be left out.
+/// Elements that fail near each other, and the search for what to leave out among them.
 class Place
 {
 public:
-  /// Some are left out already. Elements at `zones` have a face of a face zone, which has elements on both sides.
+  /// Elements in `leftOut` are left out already. Elements in `zones` stay: face zones need elements on both sides.
   Place(const DualMesh& mesh, const std::vector<Index>& failing, const std::vector<Index>& leftOut,
         const std::set<Index>& zones, const PartJudge& judge)
       : mesh_(mesh), failing_(failing), leftOutBefore_(leftOut), zones_(zones), judge_(judge)
   {
   }
 
-  /// What is to be left out then, in order. Those at sides of the domain go only where others do not help, if at all.
+  /// Returns the elements to leave out, sorted. Elements at sides of the domain go only if others do not help.
   std::vector<Index> leaveOut(bool sidesToo)
   {
     Found best;
@@ -240,11 +240,12 @@ private:
   struct Found
   {
     std::vector<Index> elements;
-    std::size_t fails = noIndex; ///< written cells that still do
-    bool isAtSides = false;      ///< whether elements at sides of the domain failed by themselves
+    std::size_t fails = noIndex; ///< number of written cells that still fail
+    bool isAtSides = false;      ///< true if elements at sides of the domain failed by themselves
   };
 
-  /// Leaves out what fails, and what comes to fail by that; of unions the elements that fail by themselves, or all.
+  /// Leaves out elements that fail, and in further rounds those that fail because of that. From unions it takes all
+  /// elements, or those that fail by themselves.
   Found search(bool atSides, bool wholeUnions)
   {
     atSides_ = atSides;
@@ -271,8 +272,10 @@ private:
     return best;
   }
 
-  /// Those that fail by themselves, or all that fail; where there are none at a wall, all that are beside what is left
-  /// out; and where there are none of these, what is at a wall nearest to those that fail: then these come to be at it.
+  /// Returns the elements to leave out next, the first of these sets that is not empty:
+  /// - elements at walls that fail by themselves, or all that fail;
+  /// - failing elements beside others that are left out;
+  /// - the elements at a wall that are nearest to failing ones, which brings these to the wall.
   std::vector<Index> toLeaveOut(const JudgedPart& judged, bool wholeUnions, const std::vector<Index>& leftOut) const
   {
     const auto onlyThat = [&](std::vector<Index> elements, auto&& isWanted) {
@@ -289,7 +292,7 @@ private:
     {
       ring = neighborsOf(ring);
       found = onlyThat(ring, [&](Index e) { return !std::ranges::binary_search(leftOut, e); });
-      // From farther away one way to those that fail is enough.
+      // One way to the failing elements is enough from farther away.
       found.resize(row == 1 ? found.size() : std::min<std::size_t>(found.size(), 1));
     }
     return found;
@@ -314,14 +317,14 @@ private:
     });
   }
 
-  /// At no wall, but at a side of the domain.
+  /// True if an element is at a side of the domain, but at no wall.
   bool isAtSide(Index element) const
   {
     const Index wall = wallOf(mesh_, element);
     return wall != noIndex && mesh_.boundaryFaces[wall].onDomainSide;
   }
 
-  /// At a wall, or at what is the wall without these.
+  /// True if an element is at a wall, or beside elements that are left out.
   bool canBeLeftOut(Index element, const std::vector<Index>& leftOut) const
   {
     const bool isAtWall = wallOf(mesh_, element) != noIndex && (atSides_ || !isAtSide(element));
@@ -370,7 +373,7 @@ std::vector<Index> findElementsToLeaveOut(const DualMesh& mesh, const std::vecto
     }
     best = leftOut;
     least = count;
-    // Each place is looked at by itself. What is left out at two of them may make fail what is between.
+    // Places are searched one by one. Elements left out at two of them may make others between fail.
     for (const std::vector<Index>& place : placesOf(mesh, judged.failing))
     {
       add(Place(mesh, place, best, zones, judge).leaveOut(sidesToo), leftOut);

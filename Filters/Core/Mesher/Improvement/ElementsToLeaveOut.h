@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The last resort: elements that no place of their points makes valid.
+/// Finds elements that no place of their points makes valid. They are left out of the mesh.
 #pragma once
 
 #include "Dual/Mesh/DualMesh.h"
@@ -7,11 +7,12 @@
 
 namespace atria {
 
-/// Of elements that fail, in order, and of those with several faces on one side of a surface, those at walls that
-/// checkMesh objects to as they are written, too (see uniteAndJudge), and what else has to go with them for less to
-/// fail, in order; what is beside them is at the wall then. Such are the tips of wedges between two walls: whatever is
-/// in them has neighbors on two axes only, or is concave. Where that does not help and `sidesToo`, also those at sides
-/// of the domain, which have notches then. O(boundary faces + elements looked at).
+/// Returns the elements to leave out, sorted. Candidates are wall elements that fail checkMesh also after the writer
+/// has merged faces and cells (uniteAndJudge): those of `failing`, which must be sorted, and those with several faces
+/// on one side of a surface. Neighbors are added while that lowers the number of failures. An example is the tip of a
+/// wedge between two walls, where elements have neighbors on two axes only, or are concave. Faces behind elements left
+/// out become the wall's. If nothing else helps and `sidesToo` is true, elements at sides of the domain are candidates,
+/// too; the sides then have notches. O(boundary faces + elements visited).
 std::vector<Index> findElementsToLeaveOut(const DualMesh& mesh, const std::vector<Index>& failing, bool sidesToo,
                                           const RunContext& context);
 

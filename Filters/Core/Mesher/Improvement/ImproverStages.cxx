@@ -12,58 +12,58 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Cells with less than this share of the way to a target are improved.
-constexpr float clearlyShort = 0.5F;
-/// What hexahedra of a uniform mesh should have, and what they keep at curved walls where angles are made better.
+/// Cells below this share of the way to a target take part in coarse stages, and those below the second in later passes
+/// over divided layers.
+constexpr float coarseBelow = 0.5F;
+constexpr float poorBelow = 0.3F;
+/// Scaled Jacobian that hexahedra of a uniform mesh should have, and the least at curved walls while angles improve.
 constexpr double goodJacobian = 0.6;
 constexpr double leastCurvedJacobian = 0.5;
-/// The least cosine of non-orthogonality of what vertices go back by, 65 degrees: solvers need corrections beyond it.
+/// Cosine of 65 degrees, the largest non-orthogonality by which vertices go back: solvers need corrections beyond it.
 constexpr double leastFaceCosine = 0.4226;
-/// What corner volumes are to be before layers are divided, where 0.02 is enough for one.
+/// Corner volumes before layers are divided; 0.02 is enough for one layer.
 constexpr double volumeToDivide = 0.15;
-/// Of divided layers, the share of the way to targets that is aimed at.
+/// Share of the way to targets that divided layers aim at.
 constexpr double soundShare = 0.6;
-/// How far beyond what is asked for there the first limits are, and how much better aims are.
-constexpr CurvedWallTargets beyond{4.0, 0.1};
-/// Limit of pyramid cosines, a cell squish of 0.93: well above what is valid, so that cells come below 0.9.
+/// Slack of the first limits at curved walls, degrees and skewness; aims are better by as much.
+constexpr CurvedWallTargets closeMargin{4.0, 0.1};
+/// Limit of pyramid cosines while angles improve, a cell squish of 0.93: cells come below 0.9 then.
 constexpr double leastPyramidCosine = 0.07;
-/// Degrees of non-orthogonality: 60, beyond which vertices leave where the model wants them, to 56.6.
-constexpr QualityRange acceptable{0.5, 0.55};
-/// 69.5 to 60.
-constexpr QualityRange lastOfDivided{0.35, 0.5};
-/// 71.9 to 66.4.
-constexpr QualityRange acceptableOfDivided{0.31, 0.4};
+/// Cosines of the largest non-orthogonality, 60 and 70 degrees, and of what is aimed at, 56.6 and 60 degrees.
+constexpr QualityRange largestAngle{0.5, 0.55};
+constexpr QualityRange largestAngleOfDivided{0.342, 0.5};
+/// How far the last limit is inside the largest angle.
+constexpr double angleMargin = 0.01;
 
-/// The scaled Jacobian that crease sheets are to have. At a corner of three surfaces at right angles 0.41 is the most
-/// there is.
+/// Scaled Jacobian of crease sheets. At a corner of three surfaces at right angles the most is 0.41.
 constexpr QualityRange creaseJacobian{0.3, 0.31};
-/// And the cosine of non-orthogonality: 60 degrees.
+/// Cosine of their non-orthogonality: 60 degrees.
 constexpr QualityRange creaseFaceCosine{0.5, 0.51};
-/// How far below these the first limits are, each next one half of that; and how far beyond them aims are at least.
+/// The first limits are so far below these, each next one half of that. Aims are beyond them by `leastBeyond` at least.
 constexpr double farthestBelow = 0.2;
 constexpr double leastBeyond = 0.03;
-/// What is aimed at first.
+/// Scaled Jacobian that the first stages of crease sheets aim at.
 constexpr double goodCreaseJacobian = 0.45;
 
-/// What is asked for beyond 0 degrees is 0.
+/// Returns the cosine; clamps negative angles to 0.
 double cosineOf(double degrees) { return cosOfDegrees(std::max(degrees, 0.0)); }
 
-/// What is within a tenth of a target stays.
-constexpr double quickPenalty = 0.01;
-/// What a move has to win of a penalty where there are many cells to improve.
-constexpr double quickGain = 0.02;
+/// Penalty of a measure within a tenth of its target.
+constexpr double coarsePenalty = 0.01;
+/// Least gain of a move, as a share of the penalty, where there are many cells to improve.
+constexpr double coarseGain = 0.02;
 
-/// What falls short is made sound quickly: points do not creep.
-OptimizerOptions quick(double leastGain = quickGain)
+/// Returns options for many cells: points take large steps, and do not creep.
+OptimizerOptions coarse(double leastGain = coarseGain)
 {
   OptimizerOptions options;
-  options.leastPenalty = quickPenalty;
+  options.leastPenalty = coarsePenalty;
   options.leastGain = leastGain;
   options.firstReach = 0.2;
   return options;
 }
 
-/// For few cells that are hard to improve: nothing is left untried.
+/// Returns options for few cells that are hard to improve.
 OptimizerOptions thorough()
 {
   OptimizerOptions options;
@@ -74,13 +74,13 @@ OptimizerOptions thorough()
   return options;
 }
 
-/// Cells should have this part of what layers of given heights have on flat walls. Where that is not valid, they must
-/// have at least that one; elements of the next size have half of the weights and volume ratios.
+/// Targets and limits of layers with requested heights, as shares of their measures on flat walls. Elements of the next
+/// size have half of the weights and volume ratios.
 constexpr double flatTarget = 0.9;
 constexpr double flatLimit = 0.8;
 constexpr double flatLimitOfSizes = 0.4;
 
-/// Asks for no more than flat layers have.
+/// Lowers targets to what flat layers have.
 void keepWithin(const FlatLayers& flat, QualityTargets& targets)
 {
   const auto keep = [](QualityRange& range, double most, double limit = flatLimit) {
@@ -94,40 +94,51 @@ void keepWithin(const FlatLayers& flat, QualityTargets& targets)
   keep(targets.determinantRoot, flat.determinantRoot);
 }
 
+QualityRange largestAngleOf(const MeshTraits& traits) { return traits.divided ? largestAngleOfDivided : largestAngle; }
+
+/// Returns the last limit of angles, and what is aimed at.
+QualityRange lastAngles(const MeshTraits& traits)
+{
+  const QualityRange largest = largestAngleOf(traits);
+  return {largest.limit + angleMargin, largest.target};
+}
+
 ImproverStage straighteningStage(const MeshTraits& traits, const QualityRange& faceCosine, bool byChains = false)
 {
   ImproverStage stage;
-  stage.below = traits.divided ? 0.3F : 0.5F;
+  stage.below = traits.divided ? poorBelow : coarseBelow;
   stage.byChains = byChains;
-  stage.options.leastWorst = leastOfOthers;
+  stage.options.leastWorst = otherMeasuresFloor;
   stage.options.patient = true;
-  stage.options.leastPenalty = 0.1; // cells looked at are short by more
+  stage.options.leastPenalty = 0.1; // the cells miss their targets by more
   QualityTargets& targets = stage.options.targets;
   targets = baseTargets(traits);
   targets.pyramidCosine.limit = leastPyramidCosine;
   targets = traits.divided ? targets.within(soundShare) : targets;
   targets.faceCosine = faceCosine;
-  targets.leastOfFaceCosine = leastOfOthers;
+  targets.leastOfFaceCosine = otherMeasuresFloor;
   return stage;
 }
 
-/// At curved walls.
+/// Returns options at curved walls.
 OptimizerOptions atCurved()
 {
   OptimizerOptions options;
   options.rings = 1;
   options.leastPenalty = 0.001;
-  options.leastGain = quickGain;
-  options.leastWorst = leastOfOthers;
+  options.leastGain = coarseGain;
+  options.leastWorst = otherMeasuresFloor;
   return options;
 }
 
-/// Limits are a share of `beyond` worse than what is asked for.
+/// Returns a stage whose limits are worse than what is wanted by a share of `closeMargin`.
 ImproverStage closeStage(const MeshTraits& traits, const CurvedWallTargets& wanted, double share)
 {
-  const auto cosineAt = [&](double part) { return cosineOf(wanted.nonOrthogonality + part * beyond.nonOrthogonality); };
-  const auto skewnessAt = [&](double part) { return std::max(wanted.skewness + part * beyond.skewness, 0.0); };
-  ImproverStage stage{atCurved(), clearlyShort};
+  const auto cosineAt = [&](double part) {
+    return cosineOf(wanted.nonOrthogonality + part * closeMargin.nonOrthogonality);
+  };
+  const auto skewnessAt = [&](double part) { return std::max(wanted.skewness + part * closeMargin.skewness, 0.0); };
+  ImproverStage stage{atCurved(), coarseBelow};
   stage.options.patient = true;
   QualityTargets& targets = stage.options.targets;
   targets = baseTargets(traits);
@@ -136,7 +147,7 @@ ImproverStage closeStage(const MeshTraits& traits, const CurvedWallTargets& want
   targets.skewness = {std::min(targets.skewness.limit, skewnessAt(share)),
                       std::min(targets.skewness.target, skewnessAt(-1.0))};
   targets.jacobianLimit = std::min(leastCurvedJacobian, targets.scaledJacobian);
-  targets.leastOfFaceCosine = targets.leastOfSkewness = leastOfOthers;
+  targets.leastOfFaceCosine = targets.leastOfSkewness = otherMeasuresFloor;
   return stage;
 }
 
@@ -171,14 +182,14 @@ QualityTargets baseTargets(const MeshTraits& traits)
 
 ImproverStage firstStage(const MeshTraits& traits)
 {
-  // By short ways more vertices stay where the model wants them where no layer gives way to them, and hexahedra of
-  // uniform meshes come to be better.
+  // Short steps keep more vertices on the model where no layer gives way to them, and make better hexahedra in uniform
+  // meshes.
   ImproverStage stage;
   if (traits.layered && !traits.uniform)
   {
-    stage = {quick(0.05), clearlyShort};
+    stage = {coarse(0.05), coarseBelow};
   }
-  stage.options.leastPenalty = quickPenalty;
+  stage.options.leastPenalty = coarsePenalty;
   stage.options.targets = baseTargets(traits);
   return stage;
 }
@@ -202,10 +213,10 @@ QualityTargets targetsBack(const MeshTraits& traits)
 
 ImproverStage flatteningStage(const MeshTraits& traits)
 {
-  ImproverStage stage{quick(), clearlyShort};
+  ImproverStage stage{coarse(), coarseBelow};
   stage.options.targets = baseTargets(traits);
   stage.options.targets.cornerVolume.target = std::min(volumeToDivide, flatTarget * traits.flat.cornerVolumeOfAll);
-  stage.options.leastWorst = leastOfOthers;
+  stage.options.leastWorst = otherMeasuresFloor;
   stage.options.sweeps = 10;
   return stage;
 }
@@ -213,13 +224,13 @@ ImproverStage flatteningStage(const MeshTraits& traits)
 std::vector<ImproverStage> divisionStages(const MeshTraits& traits)
 {
   const auto stage = [&](float below, int sweeps, bool byChains) {
-    ImproverStage out{quick(), below, byChains};
+    ImproverStage out{coarse(), below, byChains};
     out.options.targets = baseTargets(traits).within(soundShare);
     out.options.sweeps = sweeps;
     return out;
   };
-  // Chains first: that brings most cells where they are to be with few moves.
-  return {stage(0.5F, 10, true), stage(0.3F, 12, false), stage(soundEnough, 20, false)};
+  // Chains first: that brings most cells to their targets with few moves.
+  return {stage(coarseBelow, 10, true), stage(poorBelow, 12, false), stage(badBelow, 20, false)};
 }
 
 QualityTargets targetsAtCurved(const MeshTraits& traits, const CurvedWallTargets& wanted)
@@ -244,28 +255,29 @@ std::array<ImproverStage, 2> closeStages(const MeshTraits& traits, const CurvedW
 
 std::vector<ImproverStage> straighteningStages(const MeshTraits& traits)
 {
-  if (traits.divided)
+  const QualityRange last = lastAngles(traits);
+  if (!traits.divided)
   {
-    // Degrees of non-orthogonality: 78.5 to 66.4, 69.5 to 60. A limit as high as with one layer would take long.
-    constexpr QualityRange first{0.2, 0.4};
-    return {straighteningStage(traits, first, true), straighteningStage(traits, first),
-            straighteningStage(traits, lastOfDivided, true), straighteningStage(traits, lastOfDivided)};
+    // From 72.5 degrees: cells far from the last limit find no way there at once.
+    return {straighteningStage(traits, {0.3, last.target}), straighteningStage(traits, last)};
   }
-  // 72.5 and 59.3 to 56.6.
-  return {straighteningStage(traits, {0.3, acceptable.target}), straighteningStage(traits, {0.51, acceptable.target})};
+  // From 78.5 degrees; a limit as high as with one layer would take long.
+  constexpr QualityRange first{0.2, 0.4};
+  return {straighteningStage(traits, first, true), straighteningStage(traits, first),
+          straighteningStage(traits, last, true), straighteningStage(traits, last)};
 }
 
 QualityTargets targetsOfHeights(const MeshTraits& traits)
 {
   QualityTargets targets = baseTargets(traits);
-  targets.faceCosine = lastOfDivided;
+  targets.faceCosine = lastAngles(traits);
   return targets;
 }
 
 QualityTargets targetsOfLargestAngle(const MeshTraits& traits)
 {
   QualityTargets targets = baseTargets(traits);
-  targets.faceCosine = traits.divided ? acceptableOfDivided : acceptable;
+  targets.faceCosine = largestAngleOf(traits);
   return targets;
 }
 
@@ -288,7 +300,7 @@ std::vector<ImproverStage> soundCreaseStages(const MeshTraits& traits)
   for (std::size_t i = 0; i < stages.size(); ++i)
   {
     const bool isLater = i > 1;
-    stages[i].below = i == 0 ? 1.0F : soundEnough;
+    stages[i].below = i == 0 ? 1.0F : badBelow;
     OptimizerOptions& options = stages[i].options = thorough();
     options.targets = targetsOfCreases(traits, {0.0, goodCreaseJacobian}, baseTargets(traits).faceCosine);
     options.rings = isLater ? 3 : 2;
@@ -307,7 +319,7 @@ std::vector<ImproverStage> creaseStages(const MeshTraits& traits)
     ImproverStage out{thorough()};
     OptimizerOptions& options = out.options;
     options.targets = targetsOfCreases(traits, about(creaseJacobian, below), about(creaseFaceCosine, 0.0));
-    options.targets.leastOfJacobian = options.targets.leastOfFaceCosine = options.leastWorst = leastOfOthers;
+    options.targets.leastOfJacobian = options.targets.leastOfFaceCosine = options.leastWorst = otherMeasuresFloor;
     options.rings = isFirst ? 2 : 3;
     options.sweeps = isFirst ? 20 : 60;
     options.leastGain = isFirst ? 0.01 : 0.001;
@@ -319,7 +331,7 @@ std::vector<ImproverStage> creaseStages(const MeshTraits& traits)
   {
     stages.push_back(stage(below, true));
   }
-  // What is just above a limit may not fall below it, and holds others back: in the last ones limits go down and up.
+  // A cell just above a limit may not fall below it, and holds others back: in the last stages limits go down and up.
   for (int i = 0; i < 4; ++i)
   {
     stages.push_back(stage(2.0 * below, false));
@@ -336,15 +348,14 @@ QualityTargets wantedOfCreaseSheets(const MeshTraits& traits)
 QualityTargets strictestTargets(const MeshTraits& traits, const CurvedWallTargets* curvedWalls)
 {
   QualityTargets targets = curvedWalls ? targetsAtCurved(traits, *curvedWalls) : baseTargets(traits);
-  targets.faceCosine.target = std::max(targets.faceCosine.target, acceptable.target);
+  targets.faceCosine.target = std::max(targets.faceCosine.target, largestAngle.target);
   return targets;
 }
 
 QualityTargets strictestOfDivided(const MeshTraits& traits)
 {
   QualityTargets targets = baseTargets(traits).within(soundShare);
-  targets.faceCosine.target =
-      std::max(targets.faceCosine.target, straighteningStages(traits).back().options.targets.faceCosine.target);
+  targets.faceCosine.target = std::max(targets.faceCosine.target, lastAngles(traits).target);
   return targets;
 }
 

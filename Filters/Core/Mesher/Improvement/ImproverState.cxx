@@ -49,7 +49,7 @@ ImproverState::ImproverState(const MeshingContext& meshingContext, const VertexC
   {
     return;
   }
-  // Vertices of turned sides that are not on these, as at corners of the model beside them, are not led back to them.
+  // Vertices of turned sides that are not on these, as at corners of the model beside them, do not return to them.
   for (const BoundaryFace& face : plain.boundaryFaces)
   {
     const bool isLateral = face.tag >= options.surfaceCount() && isUprightSide(face.tag - options.surfaceCount());

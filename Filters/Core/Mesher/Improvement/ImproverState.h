@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the stages of the improver work on.
+/// The mesh that the stages of the improver work on, and the state that they share.
 #pragma once
 
 #include "Layer/ConformingLayer.h"
@@ -12,8 +12,8 @@ namespace atria {
 
 MeshTraits traitsOf(const DualMesh& plain, const LayerOptions& options, FlatLayers flat);
 
-/// A mesh with the layer on its walls, where its points may go, and what its cells fall short by. Stages move points by
-/// `run`; what else changes the mesh says which cells are outdated.
+/// A mesh with the layer on its walls, the freedom of its points, and the measures of its cells. Stages move points by
+/// `run`. All other code that changes the mesh must outdate the cells it changes.
 struct ImproverState
 {
   /// See improveLayer.
@@ -21,35 +21,35 @@ struct ImproverState
                 const std::vector<Index>& vertexOf, DualMesh& plain, const LayerWalls& walls,
                 const LayerOptions& options, const MeshTraits& traits);
 
-  /// Of the cells measured those that fall short; `below` as in MeasuredCells. Cells that are outdated are measured.
+  /// Returns the measured cells that fall short; `below` as in MeasuredCells. Measures outdated cells first.
   std::vector<ShortCell> findShort(const QualityTargets& targets, float below = 1.0F);
-  /// Whether it is at a cut, or all of its points are settled.
+  /// True if a cell is at a cut, or all its points are settled.
   bool isOutside(Index cell) const;
-  /// Runs a stage on some cells. Returns those of them and of the cells about moved points that fall short then.
+  /// Runs a stage on some cells. Returns which of these, and of the cells around moved points, fall short afterwards.
   std::vector<ShortCell> run(const ImproverStage& stage, const std::vector<ShortCell>& cells);
-  /// The same with constraints of one's own.
+  /// Does the same with other constraints.
   std::vector<ShortCell> run(const OptimizerOptions& options, const std::vector<ShortCell>& cells,
                              VertexConstraints& constraints);
-  /// Runs a stage on all cells it is for.
+  /// Runs a stage on all cells that take part in it.
   void run(const ImproverStage& stage) { run(stage, findShort(stage.options.targets, stage.below)); }
 
-  /// Measures all cells at the boundary, of the layer and where cells fell short before.
+  /// Measures all cells of the layer, at the boundary, and where cells fell short before.
   void measureBy(const QualityTargets& strictest);
-  /// These cells, in order, and their neighbors are to be measured again.
+  /// Marks cells, which must be sorted, and their neighbors to be measured again.
   void outdate(const std::vector<Index>& cells);
-  /// The same for those at marked points of the plain mesh, and at what stands above these.
+  /// Does the same for cells at marked points of the plain mesh, and at the points above these.
   void outdateAt(const std::vector<char>& points);
 
   /// Grows the layer.
   void grow();
-  /// Grows it from the walls as they are now; copies but those of `fresh` points stay where they are.
+  /// Grows the layer from the present walls. Copies stay where they are, except those of `fresh` points.
   void growAgain(const std::vector<char>& fresh);
-  /// Takes another layer of the same plain mesh instead. Elements that are as they were need not be measured.
+  /// Takes another layer of the same plain mesh. Elements that did not change keep their measures.
   void replaceLayer(LayerMesh other);
 
-  /// Its progress is that of the phase that runs.
+  /// Reports the progress of the present phase.
   MeshingContext context;
-  /// What the model wants, and what is allowed now.
+  /// Classes of vertices that the model asks for, and those that hold now.
   const VertexClassification& wanted;
   VertexClassification classification;
   const std::vector<Index>& vertexOf;
@@ -59,18 +59,18 @@ struct ImproverState
   MeshTraits traits;
   LayerGrower grower;
   LayerMesh layer;
-  /// One entry per point of the plain mesh: 1 if it may leave its surface, if it has no layer, if cells there fell
-  /// short after a pass, also in the second row from the walls.
+  /// One entry per point of the plain mesh each: 1 if the point may leave its surface; if it has no layer; if cells
+  /// there fell short after a pass, also in the second row from the walls.
   std::vector<char> mayLeave;
   std::vector<char> excluded;
   std::vector<char> suspect;
-  /// By point of the plain mesh, where cells are looked for, which grows by what is outdated; empty, everywhere.
+  /// One entry per point of the plain mesh: 1 where findShort() searches. Outdated cells are added. Empty: everywhere.
   std::vector<char> focus;
-  /// The cells at the boundary, of the layer, and about points that moved.
+  /// Cells of the layer, at the boundary, and around points that moved.
   MeasuredCells measured;
 };
 
-/// Where points of the layer as it is now may go.
+/// The places where points of the present layer may go.
 struct LayerFreedom
 {
   explicit LayerFreedom(const ImproverState& state)

@@ -32,7 +32,7 @@ std::vector<Stack> stacksOf(const LayerMesh& layer, std::size_t faces)
 std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells)
 {
   std::vector<ShortCell> bad;
-  std::ranges::copy_if(cells, std::back_inserter(bad), [](const ShortCell& cell) { return cell.worst < soundEnough; });
+  std::ranges::copy_if(cells, std::back_inserter(bad), [](const ShortCell& cell) { return cell.worst < badBelow; });
   return bad;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Cells and points of a mesh with a layer that the stages of the improver look at.
+/// Selects cells and points of a mesh with a layer for the stages of the improver.
 #pragma once
 
 #include "Layer/LayerTopology.h"
@@ -7,23 +7,25 @@
 
 namespace atria {
 
+/// Returns the bad cells; see badBelow.
 std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells);
 
-/// Those on the boundary, and those of the layer.
+/// Marks the points on the boundary, at zone faces, and of the layer.
 std::vector<char> pointsToEvaluate(const LayerMesh& layer, const Executor& executor);
 
-/// Puts the copies of a layer where they are in another one of the same mesh, the outermost where there are several,
-/// but for those above points of the wall marked in `but`.
+/// Moves the outermost copies of a layer to where they are in another layer of the same mesh, except above wall points
+/// marked in `but`.
 void takeCopies(const LayerMesh& from, const std::vector<char>& but, LayerMesh& to);
 
-/// Marks the points of cells, or those of the wall that they stand above.
+/// Marks the wall points below the points of cells; points that have none below mark themselves.
 void markPoints(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<char>& marked);
 
-/// By element of one layer mesh its number in another one of the same plain mesh: those of the plain mesh keep theirs,
-/// those of the layer have that of the element in the same place of a stack as high; noIndex for others.
+/// Returns for each element of `before` its number in `layer`, another layer of the same plain mesh. Elements of the
+/// plain mesh keep their numbers. An element of the layer becomes that in the same place of a stack as high; noIndex if
+/// the stack has another height.
 std::vector<Index> cellsIn(const LayerMesh& layer, const LayerMesh& before);
 
-/// Marks points of the plain mesh that are not where they were in another layer mesh of it, or whose chain is not.
+/// Marks points of the plain mesh that moved since `before`, or whose chain did.
 std::vector<char> pointsChanged(const LayerMesh& layer, const LayerMesh& before, const Executor& executor);
 
 } // namespace atria

@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// Of all hexahedra.
+/// Returns the least scaled Jacobian of all hexahedra.
 double leastScaledJacobian(const DualMesh& mesh, const RunContext& context)
 {
   const DualSource source(mesh);
@@ -31,7 +31,7 @@ double leastScaledJacobian(const DualMesh& mesh, const RunContext& context)
   return std::ranges::min(least);
 }
 
-/// Improves the cells of crease sheets and those about them.
+/// Improves the cells of crease sheets and those around them.
 class CreaseSheetImprover
 {
 public:
@@ -42,7 +42,7 @@ public:
     std::fill(marked.begin() + creaseSheets.firstPoint, marked.end(), 1);
   }
 
-  /// Returns whether all cells are valid then.
+  /// Runs all stages. Returns true if all cells are valid then.
   bool run()
   {
     const QualityTargets valid = baseTargets(traits);
@@ -99,7 +99,7 @@ void addCreaseSheets(ImproverState& state)
   for (const double width : creaseWidths)
   {
     state.layer = before;
-    LayerFreedom plain(state); // of the layer without crease sheets
+    LayerFreedom plain(state); // before crease sheets are inserted
     state.layer.creaseSheets = insertCreaseSheets(state.layer, state.plain, state.walls, charts, width);
     CreaseSheetConstraints constraints(plain.layer, state.layer, state.context.octree.frame(), state.context.model,
                                        state.context.tree.get());

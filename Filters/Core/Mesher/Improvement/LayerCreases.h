@@ -6,9 +6,9 @@
 
 namespace atria {
 
-/// Gives a uniform mesh crease sheets of hexahedra along creases, where else no hexahedron could be good. Of the widths
-/// tried the one with the best worst hexahedron is taken. Where none becomes valid, or that is worse than without
-/// crease sheets, the mesh stays as it is.
+/// Adds sheets of hexahedra along creases of a uniform mesh, where no hexahedron could be good otherwise. Tries several
+/// widths and takes the one with the best worst hexahedron. The mesh stays as it is if no width gives a valid mesh that
+/// is as good.
 void addCreaseSheets(ImproverState& state);
 
 } // namespace atria

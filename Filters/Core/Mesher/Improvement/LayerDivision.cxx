@@ -15,12 +15,11 @@ namespace atria {
 
 namespace {
 
-/// How many more layers a point may have than others of its wall faces, where some were taken away; as many more as
-/// requested in any case.
+/// Greatest difference in layers between points of a wall face after some were taken away. The requested difference is
+/// allowed in any case.
 constexpr Index greatestStep = 4;
 
-/// Marks the points of cells that are to lose layers: where they have different numbers, those with more. Settled
-/// points lose none.
+/// Marks the points of cells that lose layers: if their numbers differ, those with more. Settled points lose none.
 std::vector<char> pointsWithMost(const LayerMesh& layer, const std::vector<ShortCell>& cells,
                                  const std::vector<Index>& counts, const SettledPoints& settled)
 {
@@ -44,7 +43,7 @@ std::vector<char> pointsWithMost(const LayerMesh& layer, const std::vector<Short
   return marked;
 }
 
-/// Marks the points of a layer that are, or are of a face with one, above points of the wall whose counts differ.
+/// Marks the points of a layer above wall faces with a point whose count changed.
 std::vector<char> pointsBesideChange(const DualMesh& plain, const LayerMesh& layer, const std::vector<Index>& before,
                                      const std::vector<Index>& after)
 {
@@ -70,7 +69,7 @@ std::vector<char> pointsBesideChange(const DualMesh& plain, const LayerMesh& lay
   return marked;
 }
 
-/// Takes over the points of chains that are as long as before and not held.
+/// Copies the points of chains that are as long as before and not held.
 void takeChains(const LayerMesh& from, const std::vector<char>& held, LayerMesh& to)
 {
   const auto lengthOf = [](const LayerMesh& layer, Index p) {
@@ -153,8 +152,7 @@ bool LayerDivision::giveWay(const std::vector<ShortCell>& cells)
   return marked.has_value();
 }
 
-/// Elements at marked points that are poor are improved, and those that are bad still lose layers, until there are
-/// none.
+/// Improves poor elements at marked points, and takes layers away where they stay bad, in rounds.
 void LayerDivision::improveUntilSound(std::vector<char> marked)
 {
   for (int round = 0; round < mostDivisionRounds; ++round)
@@ -168,8 +166,8 @@ void LayerDivision::improveUntilSound(std::vector<char> marked)
   }
 }
 
-/// Takes layers away at cells, and those that have one only go back to where they were before they were divided.
-/// Returns the points that this changes; nothing where there is nothing to take away.
+/// Takes layers away at cells. Points with one layer go back to where they were before division. Returns marks of the
+/// points changed, or nullopt if there is nothing to take away.
 std::optional<std::vector<char>> LayerDivision::takeAway(const std::vector<ShortCell>& cells)
 {
   if (std::ranges::all_of(cells, [&](const ShortCell& cell) { return isHeld(cell); }))
@@ -194,8 +192,8 @@ std::optional<std::vector<char>> LayerDivision::takeAway(const std::vector<Short
   return marked;
 }
 
-/// Takes layers away at the points of cells that have several. Those that lost some before lose twice as many as these:
-/// where one is not enough, most often none but the last is left in the end.
+/// Takes layers away at points of cells that have several. Points that lost some before lose twice as many as these: if
+/// one is not enough, most often only the last remains.
 void LayerDivision::lower(const std::vector<ShortCell>& cells)
 {
   const std::vector<char> lowered = pointsWithMost(state_.layer, cells, counts_, state_.walls.settled);
@@ -210,7 +208,7 @@ void LayerDivision::lower(const std::vector<ShortCell>& cells)
   lowerNeighbors();
 }
 
-/// Takes layers away at points that have many more than others of their wall faces, so that no later round has to.
+/// Takes layers away at points that have many more than others of their wall faces. That saves later rounds.
 void LayerDivision::lowerNeighbors()
 {
   for (bool isLowered = true; isLowered;)
@@ -232,7 +230,7 @@ void LayerDivision::lowerNeighbors()
   }
 }
 
-/// Returns how many layers a point of a wall face may have beside those of the others.
+/// Returns the most layers that a point of a wall face may have beside the others.
 Index LayerDivision::mostOn(const std::array<Index, 4>& points) const
 {
   Index fewest = noIndex, fewestWanted = noIndex, mostWanted = 0;
@@ -254,7 +252,7 @@ bool LayerDivision::isHeld(const ShortCell& cell) const
                              [&](Index p) { return held_[state_.layer.wallPointOf(p)] != 0; });
 }
 
-/// Improves the poor cells at marked points. Returns those that are bad then.
+/// Improves the poor cells at marked points. Returns the cells that are bad afterwards.
 std::vector<ShortCell> LayerDivision::improve(const std::vector<char>& marked)
 {
   LayerFreedom freedom(state_);
@@ -269,10 +267,11 @@ std::vector<ShortCell> LayerDivision::improve(const std::vector<char>& marked)
     std::erase_if(cells, [&](const ShortCell& cell) { return cell.worst >= stage.below; });
     cells = state_.run(stage.options, cells, stage.byChains ? static_cast<VertexConstraints&>(chains) : points);
   }
-  return state_.findShort(targets, soundEnough);
+  return state_.findShort(targets, badBelow);
 }
 
-/// What is bad with one layer at its points was good before it was divided: these points go back there, and stay.
+/// Moves the points of cells that are bad with one layer back to where they were before division, where they were good.
+/// They stay there.
 void LayerDivision::restore(const std::vector<ShortCell>& cells, const std::vector<Index>& counts,
                             std::vector<char>& changed)
 {
@@ -288,7 +287,7 @@ void LayerDivision::restore(const std::vector<ShortCell>& cells, const std::vect
       }
     }
   }
-  // The two sides of a sheet go together, whatever layers the other one has.
+  // Both sides of a sheet go together, whatever layers the other one has.
   for (Index p = 0; p < one_.plainPoints; ++p)
   {
     if (leads[state_.vertexOf[p]])
@@ -305,7 +304,7 @@ void LayerDivision::restore(const std::vector<ShortCell>& cells, const std::vect
 
 namespace {
 
-/// Moves the points of layers to the heights that were asked for, where cells stay sound, and keeps track of which did.
+/// Moves the points of layers to the requested heights where cells stay sound.
 class HeightRestorer
 {
 public:
@@ -315,12 +314,12 @@ public:
   {
   }
 
-  /// Moves all points, then puts those of cells back that are not sound and got worse, until there are none.
+  /// Moves all points. Then moves points of cells back that are not sound and got worse, until there are none.
   void run(bool withCopies)
   {
     LayerMesh& layer = state_.layer;
     std::unordered_map<Index, float> shortBefore;
-    for (const ShortCell& cell : state_.findShort(targets_, soundEnough))
+    for (const ShortCell& cell : state_.findShort(targets_, badBelow))
     {
       shortBefore[cell.cell] = cell.worst;
     }
@@ -348,7 +347,7 @@ private:
                                     const std::unordered_map<Index, float>& shortBefore) const
   {
     std::vector<char> marked(isRestored.size(), 0);
-    for (const ShortCell& cell : state_.findShort(targets_, soundEnough))
+    for (const ShortCell& cell : state_.findShort(targets_, badBelow))
     {
       const auto found = shortBefore.find(cell.cell);
       const bool isWorse = found == shortBefore.end() || cell.worst < found->second;
@@ -361,7 +360,7 @@ private:
     return marked;
   }
 
-  /// Returns where points are if those of chains, with or without their copies, have the heights that were asked for.
+  /// Returns the places of points when chains, with or without their copies, have the requested heights.
   std::vector<Vec3> places(bool withCopies) const
   {
     const LayerMesh& layer = state_.layer;

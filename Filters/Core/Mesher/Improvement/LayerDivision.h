@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Divides the conforming layer into boundary layers, as many as elements are valid with.
+/// Divides the conforming layer into boundary layers, as many as leave elements valid.
 #pragma once
 
 #include "Mesher/Improvement/ImproverState.h"
@@ -8,17 +8,19 @@
 
 namespace atria {
 
-/// Improves poor elements of a single layer, and those beside it, before it is divided.
+/// Flattens the outer faces of poor elements of a single layer before it is divided.
 void flattenTops(ImproverState& state);
 
+/// Divides a layer and takes layers away where elements stay bad.
 class LayerDivision
 {
 public:
   explicit LayerDivision(ImproverState& state) : state_(state) {}
 
+  /// Divides the layer, then improves it until no element is bad that could lose a layer.
   void run();
-  /// After that: takes layers away at cells, and improves what is about these. Whether there were some
-  /// to take away.
+  /// Takes layers away at cells after run(), and improves their surroundings. Returns false if there was no layer to
+  /// take away.
   bool giveWay(const std::vector<ShortCell>& cells);
 
 private:
@@ -32,18 +34,18 @@ private:
   void restore(const std::vector<ShortCell>& cells, const std::vector<Index>& counts, std::vector<char>& changed);
 
   ImproverState& state_;
-  /// The layer before it was divided, and with its outermost points as they are now.
+  /// The single layer before division, and with its outermost points where they are now.
   LayerMesh given_;
   LayerMesh one_;
-  /// By point of the plain mesh: how many layers are wanted, how many it has, and whether it is back where it was in
+  /// One entry per point of the plain mesh each: layers wanted; layers it has; 1 if it is back where it was in
   /// `given_`, to stay.
   std::vector<Index> wanted_;
   std::vector<Index> counts_;
   std::vector<char> held_;
 };
 
-/// Moves the points of layers whose first height was asked for back to that height, where cells stay sound: the whole
-/// of the layers first, else those within them. Does nothing without such layers.
+/// Moves points of layers to the requested heights where cells stay sound: whole layers first, then the points within
+/// them. Does nothing if no first height is requested.
 void restoreHeights(ImproverState& state);
 
 } // namespace atria

@@ -14,7 +14,7 @@ namespace atria {
 
 namespace {
 
-/// Elements that fall short of targets, and, where there may be layers, those that are concave at walls, in order.
+/// Returns elements that fall short of targets and, where there may be layers, those concave at walls, sorted.
 std::vector<ShortCell> findFailing(ImproverState& state, const QualityTargets& targets)
 {
   std::vector<ShortCell> failing = state.findShort(targets, 0.0F);
@@ -33,7 +33,7 @@ std::vector<ShortCell> findFailing(ImproverState& state, const QualityTargets& t
   return failing;
 }
 
-/// Elements that stay beyond the largest angle, or bad, lose layers.
+/// Straightens elements, and takes layers away from those that stay bad or beyond the largest angle.
 void straightenDivided(LayerDivision division, ImproverState& state, VertexDetachment& detachment)
 {
   straighten(state, detachment);
@@ -50,14 +50,14 @@ void straightenDivided(LayerDivision division, ImproverState& state, VertexDetac
   state.focus.clear();
 }
 
-/// Begins a phase, a part of the whole's progress.
+/// Begins a phase, which is a part of the whole progress.
 void enter(ImproverState& state, const RunContext& whole, double begin, double end, const char* phase)
 {
   state.context.progress = whole.progress.part(begin, end);
   state.context.progress.report(0.0, phase);
 }
 
-/// What follows where layers are several.
+/// Runs the last stages of several layers.
 void finishDivided(ImproverState& state, VertexDetachment& detachment, const RunContext& whole)
 {
   enter(state, whole, 0.5, 0.7, "Dividing layers");
@@ -72,7 +72,7 @@ void finishDivided(ImproverState& state, VertexDetachment& detachment, const Run
   straightenDivided(std::move(division), state, detachment);
 }
 
-/// What follows where they are single, or none.
+/// Runs the last stages of single layers, or none.
 void finishWhole(ImproverState& state, VertexDetachment& detachment, CurvedWalls* curved, const RunContext& whole)
 {
   if (curved)

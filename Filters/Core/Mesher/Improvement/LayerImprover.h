@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Grows the layer on walls and sees to it that every element at the boundary is valid and good.
+/// Grows the layer on walls, and makes every element at the boundary valid and good.
 #pragma once
 
 #include "Layer/LayerCoverage.h"
@@ -13,20 +13,19 @@ namespace atria {
 struct ImprovedLayer
 {
   LayerMesh layer;
-  /// Vertices that are not where the model wants them, in rising order of points.
+  /// Vertices that are not where the model wants them, sorted by point.
   std::vector<DetachedVertex> detached;
-  /// Elements that checkMesh objects to unless they are made one with others, in order.
+  /// Elements that fail checkMesh unless they are merged with others, sorted.
   std::vector<Index> failing;
-  /// Of the plain mesh as it is in the end; see sizesBesideWalls.
+  /// Sizes beside walls in the final plain mesh; see sizesBesideWalls.
   std::vector<double> wallSizes;
 };
 
-/// The stages of a mesh, but for crease sheets, in two parts. Between them another improver may take over what is known
-/// of points.
+/// Runs all stages except crease sheets, in two parts. Another improver may take over the state of points in between.
 class LayerImprover
 {
 public:
-  /// Grows the layer. Vertices that are `away` are not where the model wants them; see VertexDetachment.
+  /// Grows the layer. Vertices in `away` are not where the model wants them; see VertexDetachment.
   LayerImprover(ImproverState& state, const CurvedWallTargets& curvedWalls,
                 const std::vector<DetachedVertex>& away = {});
 
@@ -34,7 +33,7 @@ public:
   void improveWhole();
   /// Divides the layer, and makes angles small.
   void finish();
-  /// Vertices that are not where the model wants them, in rising order of points.
+  /// Returns the vertices that are not where the model wants them, sorted by point.
   const std::vector<DetachedVertex>& detached() const { return detachment_.detached(); }
 
 private:
@@ -45,15 +44,15 @@ private:
   std::optional<CurvedWalls> curved_;
 };
 
-/// Elements that checkMesh objects to unless they are made one with others, in order.
+/// Returns the elements that fail checkMesh unless they are merged with others, sorted.
 std::vector<Index> findFailing(ImproverState& state);
 
-/// The layers asked for; fewer at points where elements would not be valid. Without any asked for, the plain mesh made
-/// valid; its elements may be concave then. ImproverStages.h has the stages in their order.
-///
-/// `vertexOf` gives for each point of the plain mesh the vertex of the anchors it stands for; points of one vertex are
-/// in one place and stay together, and the one with its number, the leader, is one of them. The plain mesh's points
-/// follow those of the layer's walls; where no layer is asked for, the plain mesh is taken.
+/// Adds the requested layers, fewer at points where elements would not be valid. If none is requested, makes the plain
+/// mesh valid; its elements may stay concave. ImproverStages.h lists the stages.
+/// \param vertexOf  The vertex that each point of the plain mesh stands for. Points of one vertex stay in one place.
+/// One
+///                  of them, the leader, has the vertex's number.
+/// \param plain     Its points follow those of the walls. It is consumed if no layer is requested.
 ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassification& classification,
                            const std::vector<Index>& vertexOf, DualMesh& plain, const LayerWalls& walls,
                            const LayerOptions& options, const CurvedWallTargets& curvedWalls);

@@ -10,7 +10,7 @@ namespace atria {
 
 namespace {
 
-/// Where a number is in an ordered list that has it.
+/// Returns the place of a number in a sorted list that has it.
 std::size_t placeIn(const std::vector<Index>& ordered, Index number)
 {
   return static_cast<std::size_t>(std::ranges::lower_bound(ordered, number) - ordered.begin());
@@ -64,7 +64,7 @@ private:
     return found == cellOf_.end() ? noIndex : found->second;
   }
 
-  /// Numbered by cell and direction.
+  /// Returns all faces, numbered by cell and direction.
   std::vector<OrderedFace> facesInOrder() const
   {
     std::vector<OrderedFace> order;
@@ -108,7 +108,7 @@ private:
 
   bool isLeftOut(Index element) const { return std::ranges::binary_search(leftOut_, element); }
 
-  /// A number for each side of each surface, and another one for each element.
+  /// Returns the patch beyond a face: one for each side of each surface, and one for each element outside.
   Index beyond(std::int32_t code) const
   {
     if (code >= 0 && !isLeftOut(static_cast<Index>(code)))
@@ -165,7 +165,7 @@ std::vector<Index> wallsOf(const DualMesh& mesh, const std::vector<Index>& eleme
   std::vector<Index> walls(elements.size(), noIndex);
   std::vector<Index> reached; // places in `elements`
   std::size_t next = 0;
-  // Sides of the domain last, so that a wall goes round what is left out.
+  // Sides of the domain come last, so that a wall goes around elements left out.
   for (const bool onSide : {false, true})
   {
     for (Index i = 0; i < elements.size(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A part of a mesh as a mesh by its faces, to see what a writer makes of it.
+/// Extracts a part of a mesh as a face mesh, which is judged as it would be written.
 #pragma once
 
 #include "Dual/Mesh/DualMesh.h"
@@ -13,19 +13,19 @@ struct PartialMesh
   std::vector<Index> patchOf; ///< as for mergeCoplanarFaces()
 };
 
-/// The elements given are the first cells, in this order; those beside them follow. Faces to elements that are not
-/// there are on the boundary, each in a patch of its own. Those to elements that are `leftOut`, in order, are of the
-/// patch that wallsOf() says.
+/// Returns the part with some elements and their neighbors. The elements are the first cells, in this order. Faces to
+/// elements outside are on the boundary, each in a patch of its own; faces to elements in `leftOut`, which must be
+/// sorted, are in the patch that wallsOf() returns.
 PartialMesh makePartialMesh(const DualMesh& mesh, const std::vector<Index>& elements,
                             const std::vector<Index>& leftOut = {});
 
-/// The largest of an element's boundary faces that are on no side of the domain, or of all where there are none;
-/// noIndex where it has none.
+/// Returns the largest boundary face of an element that is on no side of the domain, else the largest on a side;
+/// noIndex if it has no boundary face.
 Index wallOf(const DualMesh& mesh, Index element);
 
-/// For each of some elements, in order, that are left out: the boundary face of whose surface the mesh's boundary is
-/// then. That is wallOf() the element, or of the nearest of these from face to face; one on a side of the domain only
-/// where no other is. noIndex where none is at a wall.
+/// Returns for each element left out, which must be sorted, the boundary face whose surface takes its place: wallOf()
+/// the element, or of the nearest of these elements from face to face. Faces on sides of the domain come last; noIndex
+/// if none is at a wall.
 std::vector<Index> wallsOf(const DualMesh& mesh, const std::vector<Index>& elements);
 
 } // namespace atria

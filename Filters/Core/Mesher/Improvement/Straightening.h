@@ -6,10 +6,10 @@
 
 namespace atria {
 
-/// Vertices at faces that stay beyond the largest angle leave their curves, and their surfaces by a little.
+/// Runs the stages for angles. Vertices at faces that stay beyond the largest angle leave curves and surfaces.
 void straighten(ImproverState& state, VertexDetachment& detachment);
 
-/// The same where single layers have such faces.
+/// Does the same if a mesh with single layers has such faces.
 void straightenWhereNeeded(ImproverState& state, VertexDetachment& detachment);
 
 } // namespace atria

@@ -21,7 +21,7 @@ bool mayHaveOne(const ImproverState& state, Index p)
   return state.excluded[p] && state.walls.counts[p] > 0 && !state.walls.settled.stays(p);
 }
 
-/// The points of the plain mesh at which these elements get a layer now.
+/// Marks the points of the plain mesh at which elements get a layer.
 std::vector<char> pointsToDouble(const ImproverState& state, const std::vector<Index>& elements)
 {
   std::vector<char> chosen(state.layer.plainPoints, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The layer where none was asked for, on surfaces that have elements that cannot be valid without.
+/// Adds a layer where none was requested and elements cannot be valid without.
 #pragma once
 
 #include "Mesher/Improvement/VertexDetachment.h"
@@ -11,11 +11,11 @@ namespace atria {
 /// layer tapers to nothing in the outer row. Empty if no point can have one.
 std::vector<char> pointsToSupport(ImproverState& state);
 
-/// Gives them the layer. The state's focus is on what this changes then.
+/// Adds the layer at marked points. Sets the focus of the state to the cells that this changes.
 void addSupport(ImproverState& state, const std::vector<char>& points);
 
-/// Elements that came to need it as points moved get it, and what is about it is improved, as long as fewer points ask
-/// for it each time. The state's focus is on nothing then.
+/// Adds the layer where elements came to need it as points moved, and improves the surroundings, as long as fewer
+/// points need it each time. Clears the focus of the state.
 void supportMore(ImproverState& state, VertexDetachment& detachment);
 
 } // namespace atria

@@ -15,12 +15,12 @@ namespace atria {
 
 namespace {
 
-/// The part of a face's area that each of its triangles should have.
+/// Least share of a face's area that each of its triangles should have.
 constexpr double leastPart = 0.05;
 constexpr int mostSweeps = 30;
-/// Steps that are tried, against the size of the faces about a point; it slides by no more than that size in all.
+/// Lengths of steps over the size of the faces around a point. A point slides by no more than that size in all.
 constexpr std::array<double, 4> steps{0.4, 0.15, 0.05, 0.02};
-/// What a step has to gain, against what there is.
+/// Least gain of a step, as a share of the penalty.
 constexpr double leastGain = 1e-3;
 
 class FaceUnfolder
@@ -40,14 +40,14 @@ public:
   }
 
 private:
-  /// The face, if it is one. Both sides of a sheet are one face.
+  /// Returns the face; nothing for the second side of a sheet, as both sides are one face.
   ReducedFace reduced(const BoundaryFace& face) const
   {
     return face.opposite == noIndex || face.element < face.opposite ? faceOf(mesh.corners[face.element], face.direction)
                                                                     : ReducedFace{};
   }
 
-  /// Of walls' faces that are folded.
+  /// Returns the points of folded wall faces.
   std::vector<Index> foldedPoints() const
   {
     std::vector<char> folded(mesh.boundaryFaces.size());
@@ -98,7 +98,7 @@ private:
     return area;
   }
 
-  /// f(part) for each of a face's triangles: its part of the face's area, as that faces.
+  /// Calls use(share) for each triangle of a face, with its signed share of the face's area.
   template <typename F> void eachPart(const ReducedFace& face, const Vec3& area, F&& use) const
   {
     const auto& [p, count] = face;
@@ -148,7 +148,7 @@ private:
     start = mesh.points;
   }
 
-  /// Slides each of these points once. Returns those to look at next: of faces that fall short about those that moved.
+  /// Slides each point once. Returns the points of faces that fall short around those that moved.
   std::vector<Index> slide(std::vector<Index> points)
   {
     sortUnique(points);
@@ -207,7 +207,7 @@ private:
     return best != from;
   }
 
-  /// Infinite where a face would be turned over as a whole.
+  /// Returns the penalty of the faces around a point; infinite if a face is turned over as a whole.
   double penaltyAt(Index p, const std::vector<Vec3>& areas) const
   {
     double sum = 0.0;
@@ -224,7 +224,7 @@ private:
   VertexConstraints& constraints;
   const RunContext& context;
   std::vector<ReducedFace> faces;
-  Buckets facesOf; ///< by point
+  Buckets facesOf; ///< faces of each point
   std::vector<Vec3> start;
 };
 

@@ -7,9 +7,9 @@
 
 namespace atria {
 
-/// Slides points along their surfaces and curves where a face of a wall is folded: where one of the triangles about the
-/// mean of its points faces the other way, as beside the corner of an opening that a point is too close to. A folded
-/// face covers what is none of its surface. Points of sheets are not split yet. Does nothing where no face is folded.
+/// Slides points along their surfaces and curves until no wall face is folded. A face is folded if one of the triangles
+/// around the mean of its points faces the other way, as beside the corner of an opening that a point is too close to.
+/// It would cover more than its surface. Call it before points of sheets are split.
 void unfoldFaces(DualMesh& mesh, VertexConstraints& constraints, const RunContext& context);
 
 } // namespace atria

@@ -54,8 +54,8 @@ bool VertexDetachment::improveAndMend()
   return left_.size() > before;
 }
 
-/// Bad ones but for those that no room helps: elements that have too few neighbors, with all vertices on bare sides of
-/// the domain.
+/// Returns the bad cells that room may help: not those with too few neighbors and all vertices on bare sides of the
+/// domain.
 std::vector<ShortCell> VertexDetachment::badAmong(const std::vector<ShortCell>& cells) const
 {
   std::vector<ShortCell> bad = badOf(cells);
@@ -114,7 +114,7 @@ void VertexDetachment::make(RoomStep step, const std::vector<ShortCell>& bad)
   }
   eachLeaderOf(bad, [&](Index leader) {
     step == RoomStep::leaveCurves ? leaveCurve(leader)
-                                  : leaveSurface(leader, step == RoomStep::leaveALittle ? aLittle : anOctant);
+                                  : leaveSurface(leader, step == RoomStep::leaveALittle ? smallReach : largeReach);
   });
   if (step == RoomStep::goHalfway || step == RoomStep::startAgain)
   {
@@ -122,8 +122,8 @@ void VertexDetachment::make(RoomStep step, const std::vector<ShortCell>& bad)
   }
 }
 
-/// A vertex may leave more than once: those that did not get back stay where they are, but may have to go on. Those
-/// that were detached from the first belong nowhere.
+/// Records that a vertex left. Vertices that did not get back may leave again. Vertices detached from the start belong
+/// nowhere, and are not recorded.
 void VertexDetachment::noteLeft(Index leader)
 {
   if (!isLeft_[leader] && state_.wanted.classes[leader] != VertexClass::detached)
@@ -143,7 +143,7 @@ void VertexDetachment::leaveCurve(Index leader)
   }
 }
 
-/// Only points of cells that are not valid leave the sides: what falls short by its determinant is at two of them.
+/// Lets points of invalid cells leave the sides. Cells with small determinants only are at two sides, and stay.
 void VertexDetachment::leaveSides()
 {
   QualityTargets valid;
@@ -159,7 +159,7 @@ void VertexDetachment::leaveSides()
   });
 }
 
-/// By `reach` times the size of the vertex's octant.
+/// Lets a vertex leave its surfaces by `reach` times the size of its octant.
 void VertexDetachment::leaveSurface(Index leader, double reach)
 {
   VertexClass& vertexClass = state_.classification.classes[leader];
@@ -174,7 +174,7 @@ void VertexDetachment::leaveSurface(Index leader, double reach)
   double& limit = state_.classification.displacementLimits
                       .try_emplace(leader, DisplacementLimit{state_.layer.mesh.points[leader], 0.0})
                       .first->second.reach;
-  // Those that were detached from the first lose nothing.
+  // Vertices detached from the start keep their room.
   limit = state_.wanted.classes[leader] == VertexClass::detached ? std::max(limit, reach * size) : reach * size;
 }
 
@@ -186,7 +186,7 @@ void VertexDetachment::detach(const std::vector<ShortCell>& cells, double reach)
   });
 }
 
-/// Takes the points of cells towards the centers of their octants.
+/// Moves the points of cells toward the centers of their octants by a share of the way.
 void VertexDetachment::startAgain(const std::vector<ShortCell>& bad, double share)
 {
   std::vector<char> leaders(state_.layer.plainPoints, 0);
@@ -212,7 +212,7 @@ void VertexDetachment::startAgain(const std::vector<ShortCell>& bad, double shar
   state_.growAgain(fresh);
 }
 
-/// Leaves the layer out at the points of cells that have it; gives it back to those that are bad without it.
+/// Takes the layer away at the points of cells that have it; returns it to cells that are bad without it.
 void VertexDetachment::exclude(const std::vector<ShortCell>& bad)
 {
   for (const ShortCell& cell : bad)
@@ -230,7 +230,7 @@ void VertexDetachment::exclude(const std::vector<ShortCell>& bad)
   state_.growAgain(std::vector<char>(state_.layer.plainPoints, 0));
 }
 
-/// Where the vertices that left their pieces of the model ought to be, seen from where they are.
+/// Returns the places where the model wants the vertices that left, as found from where they are.
 std::vector<WantedPlace> VertexDetachment::findWantedPlaces()
 {
   const std::vector<Vec3>& points = state_.layer.mesh.points;
@@ -265,11 +265,11 @@ void VertexDetachment::putBack()
   {
     return;
   }
-  std::vector<LeftVertex> elsewhere; // than cells are looked for
+  std::vector<LeftVertex> elsewhere; // outside of the focus
   std::ranges::copy_if(left_, std::back_inserter(elsewhere),
                        [&](const LeftVertex& vertex) { return !state_.focus.empty() && !state_.focus[vertex.point]; });
   std::erase_if(left_, [&](const LeftVertex& vertex) { return !state_.focus.empty() && !state_.focus[vertex.point]; });
-  std::ranges::sort(left_, {}, &LeftVertex::point); // as approach() asks
+  std::ranges::sort(left_, {}, &LeftVertex::point); // for approach()
   const QualityTargets targets = targetsBack(state_.traits);
   for (int round = 1; round <= roundsBack && !left_.empty(); ++round)
   {

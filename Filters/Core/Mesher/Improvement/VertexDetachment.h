@@ -1,45 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Gives elements room that cannot be made valid where the model wants their vertices.
+/// Gives room to elements that cannot be valid where the model wants their vertices.
 #pragma once
 
 #include "Mesher/Improvement/ImproverState.h"
 
 namespace atria {
 
-/// A vertex that is not where the model wants it, as no element would be valid there otherwise.
+/// A vertex that is not where the model wants it, because elements would be invalid there.
 struct DetachedVertex
 {
   Index point;
   Vec3 wanted;
 };
 
-/// A vertex that left its pieces of the model, by its leader.
+/// A vertex that left its pieces of the model.
 struct LeftVertex
 {
-  Index point;
-  Vec3 before; ///< where it was then
-  /// Where it ought to be, seen from a place. Looked up again where it is at another one.
+  Index point; ///< its leader
+  Vec3 before; ///< its former place
+  /// Place where the model wants it, as found from `from`. It is sought again once the vertex has moved.
   Vec3 from = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   Vec3 wanted = before;
 };
 
-/// Vertices leave curves for the surfaces that meet there; they leave surfaces; they start again from the centers of
-/// their octants, where the plain mesh is valid; the layer is left out. Then each goes back as far as it can.
+/// Lets vertices leave the model by the room steps (RoomStep), and moves each back as far as elements allow.
 class VertexDetachment
 {
 public:
-  /// Some vertices are not where the model wants them yet, in rising order.
+  /// Vertices in `away`, sorted by point, are not where the model wants them yet.
   explicit VertexDetachment(ImproverState& state, const std::vector<DetachedVertex>& away = {});
 
-  /// Improves cells by the first stage, and takes all room steps that bad ones need. Whether vertices left.
+  /// Improves cells by the first stage, and makes all room steps that bad ones need. Returns true if vertices left.
   bool improveAndMend();
-  /// Takes vertices back to where the model wants them, as far as elements stay valid; their neighbors make room.
+  /// Moves vertices back to where the model wants them, as far as elements stay valid; their neighbors make room.
   void putBack();
   /// Lets the points of cells leave their curves, and their surfaces by `reach` octants.
   void detach(const std::vector<ShortCell>& cells, double reach);
-  /// Forgets the points that are back; the others stay where they are.
+  /// Forgets vertices that are back, and fixes the others where they are.
   void keepThoseAway();
-  /// Those that did not get back, in rising order of points.
+  /// Returns the vertices that did not get back, sorted by point.
   const std::vector<DetachedVertex>& detached() const { return detached_; }
 
 private:
@@ -58,9 +57,9 @@ private:
 
   ImproverState& state_;
   ImproverStage first_ = firstStage(state_.traits);
-  /// By leader: whether it is on a side of the domain that is bare there.
+  /// One entry per leader: 1 if it is on a bare side of the domain.
   std::vector<char> isOnSide_;
-  /// Each once.
+  /// Vertices away from the model, each once.
   std::vector<LeftVertex> left_;
   std::vector<char> isLeft_;
   std::vector<DetachedVertex> detached_;
