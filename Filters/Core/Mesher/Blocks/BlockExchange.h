@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Port through which blocks of a mesh that are improved in several processes agree.
+/// Port through which processes that improve blocks of one mesh agree.
 #pragma once
 
 #include "Mesher/Blocks/WindowTask.h"
 
 namespace atria {
 
-/// Agrees with the processes that improve other blocks of the mesh; all make the same calls. This class is that of a
-/// process that improves all blocks.
+/// Exchanges results with the processes that improve other blocks of the mesh. All must make the same calls. This base
+/// class serves a process that improves all blocks.
 class BlockExchange
 {
 public:
   virtual ~BlockExchange() = default;
-  /// Returns the blocks touched by each of all blocks, from those of own ones.
+  /// Returns the blocks that each block of the whole mesh touches. `own` has those that own blocks touch.
   virtual std::vector<std::vector<Index>> allTouching(const std::vector<std::vector<Index>>& own) { return own; }
   /// Returns the changes of points in all processes, as far as the points are here, too.
   virtual PointChanges allChanges(const PointChanges& own) { return own; }

@@ -15,10 +15,10 @@ namespace atria {
 
 namespace {
 
-/// Rows about elements that fail where blocks meet that are opened and improved again, one try after the other.
+/// Numbers of rows around poor elements where blocks meet that are opened and improved again, one try after the other.
 constexpr std::array openedRows{4, 6, 8};
 
-/// Some vertices, and the elements they are improved among, in order.
+/// Vertices to improve, and the elements of their window, in order.
 struct Block
 {
   const std::vector<Index>& elements;
@@ -56,7 +56,7 @@ public:
   }
 
 private:
-  /// Points away from the boundary stay.
+  /// Settles points away from the boundary where they are.
   void settleOthers()
   {
     for (Index p = 0; p < vertexOf.size(); ++p)
@@ -68,7 +68,7 @@ private:
     }
   }
 
-  /// Of a class, those improved here.
+  /// Returns the members of a class that are improved here.
   std::vector<Index> ownOf(const std::vector<Index>& members) const
   {
     std::vector<Index> own;
@@ -95,7 +95,7 @@ private:
     }
   }
 
-  /// One after the other where there are not many blocks for each thread, else side by side.
+  /// Improves blocks side by side, or one after the other if there are fewer than two for each thread.
   std::vector<WindowResult> improveClass(const std::vector<Index>& members, ImproverPart part,
                                          const MeshingContext& within) const
   {
@@ -149,7 +149,7 @@ private:
     std::ranges::for_each(changes.points, [&](Index p) { done[p] = 1; });
   }
 
-  /// What is about poor elements where blocks meet is opened and improved again, each place by itself.
+  /// Opens and improves again the surroundings of poor elements where blocks meet, each place by itself.
   void improvePoor()
   {
     PoorPlaces places(plain, vertexOf, blocks);
@@ -174,7 +174,7 @@ private:
     std::vector<PoorElement> found;
     for (const Index block : members)
     {
-      // Within the window of the block, so that places of other blocks of its class may be improved at the same time.
+      // Places stay in the window of their block, as ranks improve other blocks of its class at the same time.
       const std::vector<Index>& window = windows.elements[block - blocks.first];
       for (const std::vector<Index>& elements : places.find(block, poor, reach, window))
       {
@@ -194,13 +194,13 @@ private:
         }
       }
     }
-    sortUnique(changed); // places of a block may have points of each other
+    sortUnique(changed); // places of a block may share points
     take(exchange.allChanges(copyStates(states, changed, vertexOf)));
     const std::vector<PoorElement> allGone = exchange.allPoor(gone);
     replacePoor(allGone, exchange.allPoor(found));
   }
 
-  /// Those that fail, and all.
+  /// Returns how many elements fail, and how many there are.
   static std::pair<std::ptrdiff_t, std::size_t> countPoor(const std::vector<PoorElement>& some)
   {
     return {std::ranges::count(some, true, &PoorElement::fails), some.size()};
@@ -238,7 +238,7 @@ private:
   BlockWindows windows;
   std::vector<std::vector<Index>> classes;
   PointStates states;
-  /// By point, whether it was an own one of a block that has taken this part.
+  /// One entry per point: 1 if its block has taken the present part, or if it never moves.
   std::vector<char> done;
   std::vector<PoorElement> poor;
 };
@@ -248,7 +248,7 @@ LayerMesh assembleLayer(const SettledPoints& layers, DualMesh& plain, const Laye
   std::vector<Index> counts(plain.points.size());
   for (Index p = 0; p < counts.size(); ++p)
   {
-    // Where this part of a mesh ends walls may have none.
+    // Walls at the end of this part of the mesh may have no layers.
     counts[p] = layers.has(p) ? std::min(layers.counts[p], walls.counts[p]) : 0;
   }
   LayerMesh layer = takeLayer(plain, walls, counts, executor);
@@ -264,7 +264,7 @@ std::vector<Index> failingIn(const LayerMesh& layer, const std::vector<PoorEleme
   std::vector<Index> failing;
   for (const PoorElement& element : poor)
   {
-    // Where this part of a mesh ends stacks may be lower.
+    // Stacks at the end of this part of the mesh may be lower.
     const Index e = element.isPlain() ? element.place : layer.prismOn(element.place, element.height);
     if (element.fails && e != noIndex)
     {

@@ -12,7 +12,7 @@ struct ClassifiedMesh
 {
   DualMesh mesh;
   VertexClassification classification;
-  /// For each point of the mesh the vertex of the anchors that it is.
+  /// One entry per point of the mesh: the vertex of the anchors that it stands for.
   std::vector<Index> vertexOf;
 };
 

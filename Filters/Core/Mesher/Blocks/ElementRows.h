@@ -10,7 +10,7 @@
 
 namespace atria {
 
-/// The element across a face, or on the other side of the sheet that it is on; noIndex where there is none.
+/// Returns the element across a face of this code, or across the sheet that the face is on; noIndex if there is none.
 inline Index beyond(const DualMesh& mesh, std::int32_t code)
 {
   return code >= 0                    ? static_cast<Index>(code)
@@ -18,20 +18,20 @@ inline Index beyond(const DualMesh& mesh, std::int32_t code)
                                       : noIndex;
 }
 
-/// Finds elements about others. A mark for each element is kept, so that this takes no more time than there are
-/// elements found. Of a mesh there have to be neighbors and boundary faces.
+/// Finds elements in rows around others. It keeps a mark for each element, so that a search takes time only for the
+/// elements that it finds. The mesh must have neighbors and boundary faces.
 class ElementRows
 {
 public:
   explicit ElementRows(const DualMesh& mesh) : mesh_(mesh), marks_(mesh.neighbors.size(), 0) {}
 
-  /// Elements, which are different, and so many rows about them: what shares faces with them, or is on the other side
-  /// of a sheet. In order.
+  /// Returns `elements`, which must be distinct, and `rows` rows around them, in order. A row has the elements across
+  /// faces and across sheets.
   std::vector<Index> grow(std::vector<Index> elements, int rows)
   {
     return grow(std::move(elements), rows, [](Index) { return true; });
   }
-  /// The same of those for which `isWithin` says true.
+  /// The same, but adds only elements for which `isWithin` is true.
   template <typename IsWithin> std::vector<Index> grow(std::vector<Index> elements, int rows, IsWithin&& isWithin)
   {
     ++last_;

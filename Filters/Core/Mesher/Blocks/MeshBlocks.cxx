@@ -12,15 +12,15 @@ namespace atria {
 
 namespace {
 
-/// Rows of elements beside those at the boundary whose points may move, and rows about all elements at such points that
-/// are looked at.
+/// Rows beside the elements at the boundary whose points may move, and rows around all elements with such points that
+/// count as near.
 constexpr int movingRows = 2;
 constexpr int seenRows = 1;
-/// Rows of elements along the boundary among which blocks are improved.
+/// Rows of elements along the boundary that a window has around its block.
 constexpr int rowsAlong = 8;
 
-/// Elements with points on the boundary or on faces of zones, in order: those that touch only the edge of a wall lead
-/// round it.
+/// Returns the elements with points on the boundary or on faces of zones, in order. Those that touch only the edge of a
+/// wall let rows continue around it.
 std::vector<Index> elementsAtBoundary(const DualMesh& mesh)
 {
   std::vector<char> isAtBoundary(mesh.points.size(), 0);
@@ -43,7 +43,7 @@ std::vector<Index> elementsAtBoundary(const DualMesh& mesh)
   return elements;
 }
 
-/// Works row by row, so that parts of a mesh find together what the whole would.
+/// Finds what is near the boundary row by row, so that the parts of a mesh find the same as the whole would.
 class NearFinder
 {
 public:
@@ -84,7 +84,7 @@ private:
     return elements;
   }
 
-  /// Own elements and so many rows about them, and about those of other parts: own ones, and those beside them.
+  /// Returns the own elements, and those beside them, up to `rows` rows from the elements that each part has as `own`.
   std::vector<Index> grow(const std::vector<Index>& own, int rows) const
   {
     std::vector<std::uint8_t> marks(mesh_.elementCount(), 0);
@@ -142,7 +142,7 @@ private:
   const NearExchange& exchange_;
 };
 
-/// The elements with vertices of each block that may move, in order.
+/// Returns the elements with movable vertices of each block, in order.
 std::vector<std::vector<Index>> elementsOfBlocks(const DualMesh& mesh, const std::vector<Index>& vertexOf,
                                                  const MeshBlocks& blocks)
 {
@@ -201,7 +201,7 @@ NearBoundary findNearBoundary(const DualMesh& mesh, const std::vector<Index>& ve
   return NearFinder(mesh, vertexOf, exchange).find(vertices);
 }
 
-/// Adds neighbors from the elements on that are `first` in the list, and from those added.
+/// Adds near neighbors of the elements from place `first` on, and of those added, if `isNext(row, neighbor's row)`.
 template <typename IsNext> void WindowRows::add(std::size_t first, std::vector<Index>& elements, IsNext&& isNext)
 {
   for (; first < elements.size(); ++first)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Parts of a mesh that are improved one by one.
+/// Finds the blocks of a mesh, which are improved one by one, and the windows in which this is done.
 #pragma once
 
 #include "Dual/Vertices/DualVertices.h"
@@ -9,38 +9,38 @@
 
 namespace atria {
 
-/// What of a mesh is near its boundary.
+/// Elements and vertices of a mesh that are near its boundary.
 struct NearBoundary
 {
   static constexpr std::uint8_t far = 255;
 
-  /// By vertex, whether it is so near that it may move. All others stay.
+  /// One entry per vertex: 1 if it is so near that it may move.
   std::vector<char> mayMove;
-  /// By element, how many rows it is from the boundary, or from a face of a zone; `far` where it is not looked at.
+  /// One entry per element: the rows between it and the boundary or a face of a zone; `far` if it is not near.
   std::vector<std::uint8_t> rows;
 
   bool isNear(Index element) const { return rows[element] != far; }
 };
 
-/// What parts of a mesh tell each other of what is near its boundary; by itself, of a mesh that has no other parts.
+/// Exchanges what is near the boundary between the parts of a mesh. This base class serves a mesh in one part.
 class NearExchange
 {
 public:
   virtual ~NearExchange() = default;
-  /// Whether an element is of this part, which finds what is so of it.
+  /// True if an element belongs to this part, which then decides its values.
   virtual bool isOwn(Index) const { return true; }
-  /// Sets values of elements beside own ones as their parts have them, and returns those that changed.
+  /// Sets the values of elements beside own ones to those of their parts. Returns the elements whose values changed.
   virtual std::vector<Index> takeElements(std::vector<std::uint8_t>&) const { return {}; }
-  /// The same of vertices of own elements.
+  /// The same for vertices of own elements.
   virtual void takeVertices(std::vector<char>&) const {}
   virtual bool isAny(bool own) const { return own; }
 };
 
-/// Of own elements and those beside them, and of vertices of own elements; all else is far and stays.
+/// Finds which own elements, elements beside them and vertices of own elements are near. All others count as far.
 NearBoundary findNearBoundary(const DualMesh& mesh, const std::vector<Index>& vertexOf, std::size_t vertices,
                               const NearExchange& exchange = {});
 
-/// Which block each vertex of a mesh is of, and which blocks are improved here.
+/// The block of each vertex of a mesh, and the blocks [first, end) that are improved here.
 struct MeshBlocks
 {
   std::vector<Index> ofVertex;
@@ -52,22 +52,22 @@ struct MeshBlocks
   bool isOwn(Index block) const { return block >= first && block < end; }
 };
 
-/// Blocks of an octree from `first` up to `end` are improved here; `leaves` has the leaf of each vertex.
+/// Returns the blocks of vertices, given their leaves. Blocks [first, end) of the octree are improved here.
 MeshBlocks blocksOf(const Octree& octree, const std::vector<Index>& leaves, const OctreeBlocks& blocks, Index first,
                     Index end, NearBoundary near);
 
-/// What is improved, and among what. Lists by block are of those improved here.
+/// Windows of blocks, one for each block that is improved here.
 struct BlockWindows
 {
-  /// The elements that each block is improved among, in order.
+  /// Elements of each window, in order.
   std::vector<std::vector<Index>> elements;
-  /// The blocks whose vertices each one's window has, in order.
+  /// Blocks whose vertices each window has, in order.
   std::vector<std::vector<Index>> touching;
 };
 
-/// Adds to elements near the boundary those among which their points are improved: what is below them at the boundary,
-/// rows along it from there, and what is above all that. O(elements found). Of a mesh there have to be neighbors and
-/// boundary faces.
+/// Extends elements near the boundary to the window in which their points are improved. Adds the elements between them
+/// and the boundary, rows along it from there, and all near elements above these. O(elements found). The mesh must have
+/// neighbors and boundary faces.
 class WindowRows
 {
 public:
@@ -75,7 +75,7 @@ public:
       : mesh_(mesh), near_(near), marks_(mesh.neighbors.size(), 0)
   {
   }
-  /// In order.
+  /// Returns the window of `elements`, in order.
   std::vector<Index> grow(std::vector<Index> elements);
 
 private:
@@ -87,16 +87,16 @@ private:
   Index last_ = 0;
 };
 
-/// `vertexOf` gives the vertex of each point.
+/// Finds the windows of the blocks improved here. `vertexOf` gives the vertex of each point. Throws Aborted.
 BlockWindows findWindows(const DualMesh& mesh, const std::vector<Index>& vertexOf, const MeshBlocks& blocks,
                          const RunContext& context);
 
-/// Blocks, by number, whose windows have no vertices of each other, so that they can be improved at the same time; one
-/// class after the other. Of the blocks that each of all blocks touches.
+/// Divides blocks into classes that are improved one after the other. Windows of blocks in one class have no vertices
+/// of each other. `touching` has one entry per block of the mesh: the blocks whose vertices its window has.
 std::vector<std::vector<Index>> findClasses(const std::vector<std::vector<Index>>& touching);
 
-/// Puts boundary faces in the order of elements and directions, which is the same in any part of a mesh. Returns their
-/// numbers before, by number.
+/// Sorts boundary faces by element and direction, an order that is the same in any part of a mesh. Returns one entry
+/// per face: its number before.
 std::vector<Index> orderBoundaryFaces(DualMesh& mesh);
 
 } // namespace atria

@@ -33,7 +33,7 @@ public:
   }
 
 private:
-  /// Their corners get numbers as they are met.
+  /// Adds the elements. Their corners get numbers as they are met.
   void addElements()
   {
     const std::size_t count = elements.size();
@@ -53,7 +53,7 @@ private:
     }
   }
 
-  /// Vertices first, in order, and then the other points.
+  /// Gives points their final numbers: vertices first, then the other points, each in order.
   void numberPoints()
   {
     std::vector<Index> vertices;
@@ -95,7 +95,7 @@ private:
     return static_cast<Index>(found - begin);
   }
 
-  /// The number here of an element; noIndex if it is not here.
+  /// Returns the number of an element in the window; noIndex if it is not there.
   Index elementOf(Index element) const { return element == noIndex ? noIndex : elementNumbers.of(element); }
 
   void addFaces(Index cutTag)
@@ -217,7 +217,7 @@ MeshWindow extractWindow(const DualMesh& whole, const std::vector<Vec3>& points,
   return WindowMaker(whole, points, classification, vertexOf, elements).make(cutTag);
 }
 
-/// Points of faces with the tag, those without elements, and what is in one place with them.
+/// Marks points of faces with the tag, vertices without elements, and all points at the same vertices.
 std::vector<char> pointsAtCut(const MeshWindow& window, Index cutTag)
 {
   std::vector<char> vertices(window.vertexCount(), 1);

@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// Rows about what is opened, where all points stay: elements at points that move have no points where a window ends.
+/// Rows around opened elements in which all points stay, so that elements at points that move do not reach the cut.
 constexpr int rowsBesideOpened = 6;
 
 } // namespace
@@ -123,7 +123,7 @@ bool PoorPlaces::isWhereBlocksMeet(const std::vector<Index>& elements) const
   });
 }
 
-/// Those that have elements with vertices where the window is cut, which are neither improved nor judged.
+/// Marks the vertices of elements that have a vertex at the cut. Such elements are neither improved nor judged.
 std::vector<char> PoorPlaces::verticesThatStay(const std::vector<Index>& window) const
 {
   const std::vector<char> isAtCut = verticesAtCut(window);
@@ -139,7 +139,7 @@ std::vector<char> PoorPlaces::verticesThatStay(const std::vector<Index>& window)
   return stays;
 }
 
-/// Those that have elements which are not in the window.
+/// Marks the vertices that have elements which are not in the window.
 std::vector<char> PoorPlaces::verticesAtCut(const std::vector<Index>& window) const
 {
   std::vector<char> isAtCut(blocks_.ofVertex.size(), 1);

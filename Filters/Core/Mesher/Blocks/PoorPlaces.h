@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Where elements are poor since blocks that meet there were improved one after the other.
+/// Finds places where elements are poor because the blocks that meet there were improved one after the other.
 #pragma once
 
 #include "Mesher/Blocks/MeshBlocks.h"
@@ -11,11 +11,11 @@
 
 namespace atria {
 
-/// A part of a block's window that is improved again, about some elements. Lists are in order.
+/// A part of a block's window, around some elements, that is improved again. Lists are in order.
 struct OpenedPlace
 {
   std::vector<Index> window;
-  /// Those that may move, and all points that are in one place with them.
+  /// Vertices that may move, and all points at these vertices.
   std::vector<Index> vertices;
   std::vector<Index> points;
 
@@ -27,17 +27,17 @@ class PoorPlaces
 public:
   PoorPlaces(const DualMesh& mesh, const std::vector<Index>& vertexOf, const MeshBlocks& blocks);
 
-  /// The blocks with poor elements, in order.
+  /// Returns the blocks with poor elements, in order.
   std::vector<Index> blocksOf(const std::vector<PoorElement>& all) const;
-  /// The elements of a block that are poor, or have such on them, less than so many rows away from another block:
-  /// those that are near each other together. Rows are of the window of all elements that the block is improved among.
+  /// Returns the plain elements of a block that are poor, or have poor ones on them, if a vertex of another block is at
+  /// most `reach` rows away. Elements near each other are in one list. `within` is the window of the block.
   std::vector<std::vector<Index>> find(Index block, const std::vector<PoorElement>& all, int reach,
                                        const std::vector<Index>& within);
-  /// What is so many rows about elements in that window. O(elements found · log of the window) but for a mark for each
-  /// vertex.
+  /// Returns the place of `reach` rows around elements in the window `within`. O(elements found · log of the window),
+  /// plus a mark for each vertex.
   OpenedPlace open(const std::vector<Index>& elements, int reach, const std::vector<Index>& within);
 
-  /// The points of the plain mesh that an element has, or is above.
+  /// Returns the points of the plain mesh that an element has or stands on.
   std::vector<Index> wallPointsOf(const PoorElement& element) const;
 
 private:
@@ -58,7 +58,7 @@ private:
   const std::vector<Index>& vertexOf_;
   const MeshBlocks& blocks_;
   ElementRows rows_;
-  /// Vertices with points that are not theirs by number, and these, in order.
+  /// Pairs of a vertex and a point that stands for it under another number, in order.
   std::vector<std::pair<Index, Index>> others_;
 };
 

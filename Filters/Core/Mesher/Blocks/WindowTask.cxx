@@ -10,7 +10,7 @@ namespace atria {
 
 namespace {
 
-/// Tells the state of a window what is known of its points.
+/// Copies the states of a window's points to the improver's state.
 void giveStates(const WindowTask& task, ImproverState& state)
 {
   state.suspect = task.suspect;
@@ -119,7 +119,7 @@ private:
     return poor;
   }
 
-  /// Whether an element has own points, and nobody else will move any.
+  /// True if an element has own points and all its other points are fixed, but none is at the cut.
   bool isJudged(Index element) const
   {
     bool hasOwn = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// One part of the improver on one window: all that it takes and gives.
+/// Runs one part of the improver on one window; defines all that it takes and returns.
 #pragma once
 
 #include "Mesher/Blocks/MeshWindow.h"
@@ -7,15 +7,15 @@
 
 namespace atria {
 
-/// The two parts of the improver, and another one for what has taken these.
+/// The two parts of the improver, and a third for windows whose points have taken both.
 enum class ImproverPart
 {
   whole, ///< LayerImprover::improveWhole
   finish,
-  mend ///< as finish, but layers begin as they are
+  mend ///< as finish, but layers start as they are
 };
 
-/// What is the same for all windows of a mesh.
+/// Settings that are the same for all windows of a mesh.
 struct WindowSettings
 {
   LayerOptions options;
@@ -23,7 +23,7 @@ struct WindowSettings
   MeshTraits traits;
 };
 
-/// Lists are by point of the window, or by vertex where that is said.
+/// Input of one part. Lists have one entry per point of the window, or per vertex if that is stated.
 struct WindowTask
 {
   ImproverPart part;
@@ -31,46 +31,46 @@ struct WindowTask
   /// As in LayerWalls. Points at the cut are settled and fixed.
   std::vector<Index> counts;
   SettledPoints settled;
-  /// Where vertices may be moved now; the window's classification has what the model wants. By vertex.
+  /// One entry per vertex: how it may move now. The window's classification has what the model wants.
   std::vector<VertexClass> classes;
   std::vector<SideBits> turnedSides;
   std::unordered_map<Index, DisplacementLimit> displacementLimits;
   /// As in ImproverState.
   std::vector<char> suspect;
-  /// Those that may move, in rising order.
+  /// Vertices that are detached and may move, in rising order.
   std::vector<DetachedVertex> detached;
-  /// Points whose places are sought.
+  /// 1 for points that this task improves. Changes of all others are dropped.
   std::vector<char> isOwn;
 };
 
-/// What became of points, that of each in turn; numbers are those of the whole mesh.
+/// New states of some points, one entry per point unless stated. Numbers are those of the whole mesh.
 struct PointChanges
 {
   std::vector<Index> points;
   std::vector<Vec3> places;
-  /// How many points are above each, and these from the wall up.
+  /// Number of layer points above each point, and positions of all these, from the wall up.
   std::vector<Index> counts;
   std::vector<Vec3> above;
-  /// Of the vertex that each is.
+  /// States of the vertex that each point stands for.
   std::vector<VertexClass> classes;
   std::vector<SideBits> turnedSides;
   std::vector<char> suspect;
-  /// Of some.
+  /// Only for points that have such a limit, or are detached.
   std::vector<std::pair<Index, DisplacementLimit>> displacementLimits;
   std::vector<DetachedVertex> detached;
 };
 
-/// Adds what became of others.
+/// Appends the changes of other points.
 void append(const PointChanges& more, PointChanges& changes);
 
-/// An element of a mesh with layers that is not as it should be, by what it stands on.
+/// An element of a mesh with layers that fails or has a large angle, given by what it stands on.
 struct PoorElement
 {
   /// The element of the plain mesh, or the boundary face of the plain mesh whose stack it is in.
   Index place;
   /// Its place in the stack, 0 and up; noIndex for elements of the plain mesh.
   Index height;
-  bool fails; ///< else it is valid, with a large angle
+  bool fails; ///< false if it is valid, but has a large angle
 
   bool isPlain() const { return height == noIndex; }
   bool operator==(const PoorElement&) const = default;
@@ -79,11 +79,11 @@ struct PoorElement
 struct WindowResult
 {
   PointChanges changes;
-  /// After the last parts: of elements with own points, all others of which are fixed.
+  /// Poor elements with own points whose other points are fixed; empty after the first part.
   std::vector<PoorElement> poor;
 };
 
-/// Throws as improvers do.
+/// Runs one part on a window. Returns an empty result if the window has no elements. Throws as LayerImprover does.
 WindowResult improveWindow(WindowTask task, const WindowSettings& settings, const MeshingContext& context);
 
 } // namespace atria
