@@ -8,13 +8,13 @@ namespace atria {
 
 namespace {
 
-/// Curves of an octant between which places are searched; with more there are too many pairs to try.
+/// Most curves of an octant between which places are searched. With more there are too many pairs to try.
 constexpr std::size_t mostCurves = 6;
 /// Distance beyond a single cut at which a point is put if nothing else limits it, as a part of the edge.
 constexpr double stepBeyond = 0.1;
 
-/// Curves that bound a chart in common have a strip of it between them. Others have a gap between them, and a grid
-/// edge put through it would let through what the octants keep apart.
+/// True if two curves bound a common chart, so that a strip of it lies between them. Other curves have a gap between
+/// them, and a grid edge put through it would join what the octants keep apart.
 bool haveCommon(const std::vector<Index>& a, const std::vector<Index>& b)
 {
   return std::any_of(a.begin(), a.end(), [&](Index chart) { return std::binary_search(b.begin(), b.end(), chart); });
@@ -54,7 +54,7 @@ public:
   }
 
 private:
-  /// Places between the cuts of an edge of the point, and a step beyond them.
+  /// Adds places between the cuts of an edge of the point, and a step beyond them.
   void addBetweenCuts(int direction)
   {
     const auto edge = grid.cutEdge(point, direction);
@@ -84,7 +84,7 @@ private:
     }
   }
 
-  /// Places from which an edge that two sheets cut passes on the other side of the curve in which they meet.
+  /// Adds places from which an edge that two sheets cut passes on the other side of the curve in which they meet.
   void addPastCurves(int direction)
   {
     const auto edge = grid.cutEdge(point, direction);
@@ -129,7 +129,7 @@ private:
            }) != cuts.end();
   }
 
-  /// Places in the middle between curves that the vertex of the leaf looked at cannot both be on.
+  /// Adds places in the middle between curves that the vertex of the leaf of `look` cannot both be on.
   void addBetweenCurves()
   {
     const auto curves = look.topology().curves();
@@ -150,8 +150,8 @@ private:
     }
   }
 
-  /// Places on the other side of sheets of the leaf looked at that do not meet in it, by the shortest way, as its edges
-  /// may run along them or cut them far off. Beyond the boundary edge of a sheet it has no other side.
+  /// Adds places between and across sheets that do not meet in the leaf of `look`, by the shortest way, as its edges
+  /// may run along them or cut them far off. A sheet has no other side beyond its boundary edge.
   void addAcrossSheets()
   {
     const Vec3 p = toVector(grid.places().place(point));
@@ -175,10 +175,10 @@ private:
     }
   }
 
-  /// The point of a chart nearest to p; none where that is on a boundary edge of the chart, off the line across it.
+  /// Returns the point of a chart nearest to p; nullopt if the way there is not along the normal, as at boundary edges.
   std::optional<Vec3> footOn(const Vec3& p, Index chart) const
   {
-    // Without, more stays unresolved in most models of others, and the search takes longer.
+    // Without this limit, more stays unresolved in most models of others, and the search takes longer.
     constexpr double acrossCosine = 0.99;
     const SurfaceModel& model = grid.model();
     NearestPlace best{p};

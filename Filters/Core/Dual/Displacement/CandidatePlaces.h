@@ -12,7 +12,7 @@
 
 namespace atria {
 
-/// Collects places for a grid point that are not too far from where it is.
+/// Collects places for a grid point that are at most `reach` from its undisplaced place along each axis.
 struct CandidatePlaces
 {
   LatticePoint undisplaced;
@@ -30,7 +30,7 @@ struct CandidatePlaces
     }
   }
 
-  /// The point nearest to p in the plane in the middle between a and b.
+  /// Adds the point nearest to p in the plane in the middle between a and b, if there are both.
   void addBetween(const Vec3& p, const std::optional<Vec3>& a, const std::optional<Vec3>& b)
   {
     if (a && b && (*a - *b).squaredNorm() > 1.0)
@@ -44,10 +44,10 @@ struct CandidatePlaces
 /// Returns how far a point may move along each axis: a part of its shortest edge, in lattice units.
 std::int64_t farthestReach(const MovingGrid& grid, Index point);
 
-/// Returns places where a grid point may leave less unresolved: home; between the cuts of its edges and a step beyond
-/// them; on the other side of a curve where the two sheets that cut an edge meet; between curves that an octant's
-/// vertex cannot both be on. With `across`, also the shortest way across sheets of its octants that do not meet there:
-/// alone, such moves may take a sheet out of the octants beside its boundary edge.
+/// Returns places where a grid point may leave less unresolved: its undisplaced place; between the cuts of its edges
+/// and a step beyond them; past a curve in which two sheets that cut an edge meet; between curves that an octant's
+/// vertex cannot both be on. With `across`, also the nearest places across sheets of its octants that do not meet
+/// there. Alone, such moves may take a sheet out of the octants beside its boundary edge.
 std::vector<LatticePoint> candidatePlaces(const MovingGrid& grid, Index point, MovingGrid::Look& look,
                                           bool across = false);
 

@@ -35,7 +35,7 @@ DisplacedGrid displaceGrid(const GridPoints& points, Crossings undisplaced, cons
     return {std::move(places), std::move(undisplaced)};
   }
   Crossings crossings = updateCrossings(places, model, std::move(undisplaced), places.displacedPoints(), context);
-  // Each round takes back displaced points, so that there is a last one.
+  // The loop ends, as each round takes back displaced points.
   for (std::vector<Index> joining = joiningPoints(places, crossings, apart); !joining.empty();
        joining = joiningPoints(places, crossings, apart))
   {

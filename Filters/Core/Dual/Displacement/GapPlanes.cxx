@@ -17,11 +17,11 @@ constexpr double rounding = 1e-6;
 /// A point in a gap stays where it is if it is farther than this part of the gap's width from both sheets.
 constexpr double thinnestClearance = 0.1;
 
-/// Pairs of sheets side by side in a leaf, as many as four sheets have. An octant and those around it have no planes
+/// Most pairs of sheets side by side in a leaf: as many as four sheets have. The octants there have no planes of points
 /// for more.
 constexpr std::size_t mostPairs = 6;
 
-/// Between the normal of a sheet in the stack of a gap beside it and the way across.
+/// Least cosine between the normal of a sheet in the stack of a gap and the way across the gap.
 const double stackCosine = cosOfDegrees(35.01);
 
 /// Finds places in gaps for the corners of leaves. Not for several threads at once.
@@ -79,7 +79,7 @@ private:
 
   const SurfaceModel& model() const { return grid.model(); }
 
-  /// Charts of the leaf that do not meet in it, or follow each other on one of its edges.
+  /// Returns pairs of charts that do not meet in the leaf of `look`, or follow each other on one of its edges.
   std::vector<std::pair<Index, Index>> sheetsSideBySide() const
   {
     std::vector<std::pair<Index, Index>> pairs = look.topology().apart();
@@ -190,9 +190,9 @@ private:
     Vec3 normal;
   };
 
-  /// The gap between two sheets near p, from the point nearest to p on one, across to the other and back. If one sheet
-  /// ends, it starts on that one, as the point of the other nearest to p lies beyond the gap. In a wedge the normal is
-  /// that of the plane in its middle.
+  /// Returns the gap between two sheets near p; nullopt if they do not run side by side. The way leads from the point
+  /// of one sheet nearest to p to the other one and back. If one sheet ends, the way starts on it, as the other one's
+  /// point nearest to p lies beyond the gap. In a wedge the normal is that of the plane in its middle.
   std::optional<Gap> gapNear(const Vec3& p, Index a, Index b) const
   {
     const auto onA = nearestOn(a, p);
@@ -227,7 +227,7 @@ private:
     }
   }
 
-  /// Charts that cut edges out of the domain at the leaf's corners, and the directions of these edges.
+  /// Returns charts that cut edges out of the domain at the leaf's corners, and the directions of these edges.
   std::vector<std::pair<Index, int>> sheetsBesideSides(Index leaf) const
   {
     std::vector<std::pair<Index, int>> sheets;
@@ -286,8 +286,8 @@ private:
     std::vector<Level> levels;
   };
 
-  /// Sheets that run along the gap are where the normal through p passes the plane of their nearest triangle. So those
-  /// that continue each other are one level.
+  /// Returns the stack of a gap. The position of a sheet is where the normal through p meets the plane of its nearest
+  /// triangle, so that sheets that continue each other have one level.
   Stack stack(const Vec3& p, const Gap& gap, double size) const
   {
     const Vec3& normal = gap.normal;
@@ -331,7 +331,7 @@ private:
     {
       return;
     }
-    // The gaps one after the other that are narrower than a plane of points is thick.
+    // Extends the run of gaps by those that are narrower than a plane of points is thick.
     auto low = std::upper_bound(levels.begin(), levels.end(), Level{toA, noIndex}) - 1;
     auto high = low + 1;
     while (low != levels.begin() && low->at - (low - 1)->at < thickness)
@@ -348,7 +348,7 @@ private:
     {
       middle += 0.5 * (sheet->at + (sheet + 1)->at) / gaps;
     }
-    // Half-open, so that of two planes of points at the same distance one is taken.
+    // Rounding is half-open, so that one of two planes of points at the same distance is taken.
     const int plane = static_cast<int>(std::ceil(0.5 * gaps - middle / thickness - rounding)) - 1;
     if (plane < 0 || plane >= gaps)
     {
@@ -390,15 +390,15 @@ private:
     }
     const Vec3 q = toVector(grid.places().place(point)) + *way;
     const LatticePoint at{std::llround(q[0]), std::llround(q[1]), std::llround(q[2])};
-    // A point that is there already would be moved again for ever.
+    // A point that is there already would be moved again and again.
     if (isInDomain(at) && at != grid.places().place(point))
     {
       out.push_back({point, std::abs(step), at});
     }
   }
 
-  /// A way that leads `step` along the normal. It is as near to the normal as can be with no component above the size
-  /// of the octants around the point, as only these are searched for cuts of its edges; none if that is impossible.
+  /// Returns the way nearest to the normal that leads `step` along it and has no component above `size`, that of the
+  /// octants around the point, as only these are searched for cuts of its edges. Returns nullopt if there is none.
   static std::optional<Vec3> wayAlong(const Vec3& normal, double step, double size)
   {
     const double even = std::abs(step) / normal.lpNorm<1>();
@@ -446,7 +446,7 @@ std::vector<Index> enterFrom(const std::vector<Index>& leaves, MovingGrid& grid,
       finder.find(leaves[i]);
     }
   });
-  // The nearest place of each point; of equal ones that which was found at the first leaf.
+  // Keeps the nearest place of each point; among equal ones, the one found at the first leaf.
   std::map<Index, GapPlaceFinder::Place> nearest;
   for (const std::vector<GapPlaceFinder::Place>& part : found)
   {
@@ -477,7 +477,7 @@ void enterGaps(MovingGrid& grid, const RunContext& context)
 {
   for (const double reach : {0.5, 1.0})
   {
-    // Points enter gaps once, so that there is a last round.
+    // The loop ends, as points enter gaps once.
     for (std::vector<Index> leaves = grid.unresolvedLeaves(context); !leaves.empty();)
     {
       context.progress.check();

@@ -93,8 +93,8 @@ std::vector<PlaceMoves::Places> MoveChains::returnsToPlanes(Index leaf) const
   return returns;
 }
 
-/// Moves points, and then those beside them one after the other, the best first, until something is gained in all.
-/// Returns the points and where they were; none where nothing is gained, and all is as before.
+/// Moves points, and then those beside them one by one, the best first, until the chain gains something in all. Returns
+/// the points and where they were. If nothing is gained, takes all moves back and returns an empty list.
 PlaceMoves::Places MoveChains::follow(const Places& start)
 {
   MovingGrid::Trail trail;
@@ -116,7 +116,7 @@ PlaceMoves::Places MoveChains::follow(const Places& start)
   return {};
 }
 
-/// Returns the best move of another point where something is unresolved around those of a chain.
+/// Returns the best move of another corner of the unresolved leaves around the points of a chain.
 PlaceMove MoveChains::bestBeside(const Places& trail)
 {
   std::set<Index> inChain;

@@ -9,16 +9,16 @@
 
 namespace atria {
 
-/// Moves several points where no move of a single one gains anything. Points around an unresolved octant return to the
+/// Moves several points if no move of a single one gains anything. Points around an unresolved octant return to the
 /// planes of gaps they left, although that leaves more unresolved beside it, and points there are moved in turn. Chains
 /// that gain in all are kept.
 class MoveChains
 {
 public:
-  /// Points are in the planes of gaps.
+  /// Notes where points are now: in the planes of gaps.
   MoveChains(MovingGrid& grid, PlaceMoves& moves);
 
-  /// Begins at each of these leaves that is unresolved. Returns the points whose costs change.
+  /// Tries chains from each of these leaves that is unresolved. Returns the points whose costs change.
   std::set<Index> run(const std::set<Index>& leaves, const RunContext& context);
   /// Returns the unresolved leaves around these points.
   std::set<Index> unresolvedAbout(const std::set<Index>& points);

@@ -63,7 +63,7 @@ MovingGrid::Edge MovingGrid::at(Index id) const
   return {edge.segment, edge.leavesDomain, edge.cuts};
 }
 
-/// The edge that is stored from this point; noIndex if it was never cut.
+/// Returns the number of the edge that is stored from this point; noIndex if it was never cut.
 Index MovingGrid::idOf(Index point, int direction) const
 {
   for (Index id = firstEdge[point]; id < firstEdge[point + 1]; ++id)
@@ -109,7 +109,7 @@ std::optional<MovingGrid::Edge> MovingGrid::cutEdge(Index point, int direction) 
   return id == noIndex ? std::nullopt : std::optional<Edge>(at(id));
 }
 
-/// The entry of an edge whose cuts are about to change.
+/// Returns the entry of an edge whose cuts are about to change.
 MovingGrid::Live& MovingGrid::live(const Stored& edge, const EdgeSegment& segment)
 {
   Index id = idOf(edge.start, edge.along);
@@ -121,7 +121,7 @@ MovingGrid::Live& MovingGrid::live(const Stored& edge, const EdgeSegment& segmen
     movedOf.push_back(noIndex);
     const auto keyOfAdded = [&](Index added) { return addedKeys[added - undisplaced.crossedEdges.size()]; };
     eachLeaf(segment.about, [&](Index leaf) {
-      // In an order that does not depend on which was cut first.
+      // The order does not depend on which edge was cut first.
       std::vector<Index>& ids = addedOfLeaf[leaf];
       ids.insert(std::ranges::upper_bound(ids, addedKeys.back(), {}, keyOfAdded), id);
     });
@@ -180,7 +180,7 @@ void MovingGrid::putAt(Index point, const LatticePoint& place)
   }
 }
 
-/// The edges of these points, each once.
+/// Returns the edges of these points, each once.
 std::vector<MovingGrid::Stored> MovingGrid::edgesOf(const PointPlaces& places) const
 {
   std::vector<Stored> edges;
@@ -334,7 +334,7 @@ bool MovingGrid::isTangle(Index leaf, const Look& of) const
   });
 }
 
-/// Finds nothing in clusters, as nothing can be gained there.
+/// Returns what is found in a leaf: nothing in clusters, as nothing can be gained there.
 MovingGrid::Finding MovingGrid::find(Index leaf, Look& into) const
 {
   if (tree.featureType(leaf) == FeatureType::cluster)

@@ -30,7 +30,7 @@ public:
   struct Edge
   {
     const EdgeSegment& segment;
-    /// It ends on a domain side, which is a sheet too.
+    /// True if it ends on a domain side, which is a sheet too.
     bool leavesDomain;
     std::span<const SurfaceCrossing> cuts;
 
@@ -51,7 +51,7 @@ private:
   {
     std::uint32_t surplus : 30 = 0;
     std::uint32_t unresolved : 1 = 0;
-    /// Charts that cut its edges changed since.
+    /// 1 if the charts that cut its edges have changed since.
     std::uint32_t isStale : 1 = 0;
   };
 
@@ -85,7 +85,7 @@ public:
     std::vector<CutEdge> edges;
     std::vector<Index> about;
     PointTrial trial;
-    /// The `version` of the grid that the trial is of.
+    /// Version of the grid for which the trial is valid.
     std::uint64_t version = 0;
   };
 
@@ -107,7 +107,7 @@ public:
     double cost() const { return 2.0 * static_cast<double>(cuts) + leaves; }
   };
 
-  /// `crossings` are those while no point is moved; they are referred to.
+  /// `crossings` are those of the grid without moved points. Keeps references to both.
   MovingGrid(GridPlaces& places, const Crossings& crossings, const MeshingContext& context);
 
   const GridPlaces& places() const { return grid; }
@@ -117,12 +117,12 @@ public:
 
   void moveTo(Index point, const LatticePoint& place) { moveTogether({{point, place}}); }
   void moveTogether(const PointPlaces& places, Trail* trail = nullptr);
-  /// The same on all threads.
+  /// The same on all threads, without a trail.
   void moveAll(const PointPlaces& places, const RunContext& context);
-  /// Takes back all that a trail has. Leaves must have been looked at when it began.
+  /// Takes back all moves of a trail. Leaves must have been looked at when it began.
   void takeBack(const Trail& trail);
 
-  /// The edge that leaves a point in a direction, if it exists and was cut at some time.
+  /// Returns the edge that leaves a point in a direction; nullopt if it does not exist or was never cut.
   std::optional<Edge> cutEdge(Index point, int direction) const;
   /// True if the segment of that edge starts at the point.
   bool startsAt(Index point, int direction) const;
@@ -130,15 +130,15 @@ public:
   /// Looks at a leaf. Returns the number of sheets that do not meet in it, less the one it can hold, plus one if its
   /// curves are more than the vertex can be on.
   int surplus(Index leaf, Look& into) const;
-  /// The same without a look of one's own.
+  /// The same with the grid's own look.
   int surplus(Index leaf) { return surplus(leaf, view); }
 
-  /// Surplus around a point where it is. The function with a place tries the point there instead. Successive places of
-  /// one point share what they search.
+  /// Returns the surplus around a point where it is. The function with a place tries the point there instead.
+  /// Successive places of one point share what they search.
   Surplus surplusAbout(Index point, Look& look) const;
-  /// Surplus around some points, with each edge and leaf counted once. Looks at leaves again.
+  /// Returns the surplus around some points, with each edge and leaf counted once. Looks at changed leaves again.
   Surplus surplusAbout(const PointPlaces& places);
-  /// Stops counting as soon as the cost exceeds the limit.
+  /// Tries the point at `place`, and stops counting as soon as the cost exceeds the limit.
   Surplus surplusAbout(Index point, const LatticePoint& place, Look& look,
                        double limit = std::numeric_limits<double>::infinity()) const;
 
@@ -153,15 +153,15 @@ public:
   }
   /// True if a leaf has surplus cuts, sheets or curves.
   bool isUnresolved(Index leaf);
-  /// Leaves with surplus cuts, sheets or curves; sorted.
+  /// Returns the leaves with surplus cuts, sheets or curves; sorted.
   const std::vector<Index>& unresolvedLeaves(const RunContext& context);
   /// Looks at leaves where cuts changed. The surplus around points is then known without a look per point.
   void lookAgain(const RunContext& context);
   void addCorners(Index leaf, std::set<Index>& points) const;
 
   std::int64_t shortestEdge(Index point) const;
-  /// Points of clusters stay, as no place of theirs resolves them; so do those beside the sides of a turned domain,
-  /// whose positions show what is beyond.
+  /// True for points that stay: those of clusters, which no place resolves, and those beside the sides of a turned
+  /// domain, whose positions show what is beyond.
   bool isFixed(Index point) const;
 
 private:
@@ -189,19 +189,19 @@ private:
   const Crossings& undisplaced;
   std::vector<std::vector<std::vector<Index>>> atCorners;
   LeafCurves leafCurves;
-  /// Edges are numbered as in `undisplaced`, and then as they come. A leaf has edges of both: here, and in
+  /// Edges of each leaf. They are numbered as in `undisplaced`; edges cut later follow, and are listed in
   /// `addedOfLeaf`.
   Buckets edgesOfLeaf;
-  /// Per point its first edge in `undisplaced`, where they are in the order of points.
+  /// One entry per point: its first edge in `undisplaced`, where edges are in the order of points.
   std::vector<Index> firstEdge;
   std::unordered_map<Index, std::vector<Index>> addedOfLeaf;
   std::unordered_map<std::uint64_t, Index> addedIds;
   std::vector<std::uint64_t> addedKeys;
-  /// Per edge its place in `moved`, or noIndex where it is as in `undisplaced`.
+  /// One entry per edge: its place in `moved`; noIndex if it is as in `undisplaced`.
   std::vector<Index> movedOf;
   std::vector<Live> moved;
   std::vector<Finding> findings;
-  /// Stale leaves, and those that were since unresolved was set up; leaves may be there twice.
+  /// Stale leaves, and leaves looked at since `unresolved` was set. Leaves may be listed twice.
   std::vector<Index> stale;
   std::vector<Index> looked;
   std::vector<Index> unresolved;
@@ -210,7 +210,7 @@ private:
   Look view;
 };
 
-/// f(id) for each edge of a leaf that was cut at some time.
+/// Calls f(id) for each edge of a leaf that was cut at some time.
 template <typename F> void MovingGrid::eachEdge(Index leaf, F&& f) const
 {
   for (const Index id : edgesOfLeaf.of(leaf))

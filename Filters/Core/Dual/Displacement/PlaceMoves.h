@@ -17,8 +17,8 @@ struct PlaceMove
   LatticePoint place{};
 };
 
-/// Moves points of the grid and reports what that costs: the surplus cuts of a point's edges, twice; the surplus sheets
-/// and curves of its octants, once; and a little the way from home.
+/// Moves points of the grid and returns what that costs: the surplus cuts of a point's edges, twice; the surplus sheets
+/// and curves of its octants, once; and a little for the distance from its undisplaced place.
 class PlaceMoves
 {
 public:
@@ -28,10 +28,10 @@ public:
   PlaceMoves(MovingGrid& moving, const RunContext& run) : grid(moving), context(run) {}
 
   double displacementOf(Index point, const LatticePoint& place) const;
-  /// The best place for each of these points, found by trying; they stay where they are. A gain of 0 where there is
-  /// none. For `across` see candidatePlaces.
+  /// Returns the best move of each of these points, which stay where they are. The gain is 0 if no place is better. For
+  /// `across` see candidatePlaces.
   std::vector<PlaceMove> best(const std::vector<Index>& points, bool across = false) const;
-  /// Moves points together, each once, and notes how to take that back. Returns the change of the cost.
+  /// Moves points together, each once, and adds that to `trail`. Returns the change of the cost.
   double make(const Places& places, MovingGrid::Trail& trail);
 
   /// Adds the points that may move and whose costs depend on where a point is.

@@ -17,7 +17,7 @@ namespace atria {
 
 namespace {
 
-/// With ten, 2.5 % more features are unresolved in models of others; with forty as many.
+/// With ten, 2.5 % more features are unresolved in models of others; with forty, no fewer are.
 constexpr int mostSweeps = 20;
 
 /// Divides the points into rounds. Points of one round have no leaf in common; of two with a common leaf, the first in
@@ -64,7 +64,7 @@ public:
 
   void run()
   {
-    // After the first time, only points are tried around which something changed.
+    // After the first round, only points around which something changed are tried.
     for (std::vector<Index> asked = grid.places().displacedPoints(); !asked.empty();
          asked = undisplaceWhereBetter(asked))
     {
@@ -91,8 +91,8 @@ public:
 private:
   using Places = PlaceMoves::Places;
 
-  /// Moves points one by one until nothing is gained. Moves that are left over are those of this sweep, and are made
-  /// whether or not others are elsewhere: what becomes of a place depends only on what is around it.
+  /// Moves points one by one until nothing is gained. Starts without moves left over from earlier sweeps, so that the
+  /// result at a place depends only on what is around it.
   void sweep(std::set<Index> dirty)
   {
     open.clear();
@@ -115,7 +115,7 @@ private:
     }
   }
 
-  /// No move of it is open then.
+  /// True if no leaf around a point is hopeful. Drops the point's open move then.
   bool isHopeless(Index point)
   {
     const auto& leaves = grid.points().leaves[point];
@@ -193,7 +193,7 @@ private:
     return true;
   }
 
-  /// The corners of the leaves, moved such that the curve is in the middle, and turned around it.
+  /// Returns places for the corners of the leaves: with the curve in the middle, and turned by `angle` degrees.
   Places placesAbout(const FeatureEdge& edge, const std::set<Index>& leaves, double angle, double scale) const
   {
     const Vec3 a = toVector(grid.model().points[edge.a]);
@@ -230,8 +230,8 @@ private:
     return places;
   }
 
-  /// Moves those points home that leave less unresolved there, the farthest first. Returns the displaced points around
-  /// which that changes anything.
+  /// Moves points back to their undisplaced places if that leaves less unresolved, the farthest first. Returns the
+  /// displaced points around which that changes anything.
   std::vector<Index> undisplaceWhereBetter(const std::vector<Index>& points)
   {
     std::vector<std::pair<double, Index>> order;
@@ -274,7 +274,7 @@ private:
     return found;
   }
 
-  /// Makes those moves that do not touch the same leaves, best first. Returns the points whose costs they change.
+  /// Makes open moves that do not touch the same leaves, best first. Returns the points whose costs they change.
   std::set<Index> makeMoves()
   {
     std::vector<PlaceMove> sorted;
@@ -301,8 +301,8 @@ private:
     return changed;
   }
 
-  /// Moves a point, and adds those for which other places may be best now: it and the ends of its edges, and the
-  /// corners of leaves whose edges other charts cut. All that leaves say of a move depends on these charts alone.
+  /// Moves a point, and adds the points for which other places may be best now: it, the ends of its edges, and the
+  /// corners of leaves whose edges other charts cut. The surplus of a leaf depends on these charts alone.
   void movePoint(Index point, const LatticePoint& place, std::set<Index>& changed)
   {
     MovingGrid::Trail trail;

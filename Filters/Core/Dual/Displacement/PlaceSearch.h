@@ -6,11 +6,11 @@
 
 namespace atria {
 
-/// Sends points home whose return leaves less unresolved, the farthest first. Then moves points one by one where there
-/// is most to gain (PlaceMoves.h): each point of an unresolved octant tries the places there are (CandidatePlaces.h).
-/// Moves that gain something and touch no octant in common are made, best first. Their neighbors are tried again until
-/// nothing is gained. Then it moves several together (MoveChains.h). Octants with very many sheets and curves are left
-/// as they are.
+/// Moves points back to their undisplaced places if that leaves less unresolved, the farthest first. Then moves points
+/// one by one (PlaceMoves.h): each corner of an unresolved octant tries its candidate places (CandidatePlaces.h). Moves
+/// that gain something and touch no octant in common are made, best first. Their neighbors are tried again until
+/// nothing is gained. Then it moves several points together (MoveChains.h). Octants with very many sheets and curves
+/// stay as they are.
 void searchPlaces(MovingGrid& grid, const RunContext& context);
 
 } // namespace atria

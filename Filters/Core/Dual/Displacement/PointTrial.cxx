@@ -63,7 +63,7 @@ std::uint64_t PointTrial::waysOf(const Leaf& leaf) const
   return key;
 }
 
-/// Gathers what is around a point for places up to its shortest edge from its undisplaced place.
+/// Gathers what is around a point, for trials at places up to its shortest edge from its undisplaced place.
 void MovingGrid::beginTrial(Index point, const LatticePoint& place, Look& look) const
 {
   PointTrial& trial = look.trial;
@@ -137,7 +137,7 @@ void MovingGrid::beginTrialOf(Index id, PointTrial::Leaf& leaf, const PointTrial
   }
 }
 
-/// Returns the surplus found in a leaf when its spokes went the same ways.
+/// Returns the surplus found in a leaf when its spokes went the same ways; nullopt if they never did.
 std::optional<int> PointTrial::foundIn(const Leaf& leaf) const
 {
   const auto known = std::ranges::find(leaf.found, waysOf(leaf), &std::pair<std::uint64_t, int>::first);

@@ -14,7 +14,7 @@ namespace atria {
 /// it is found once for every way in which they do.
 struct PointTrial
 {
-  /// Bounds side by side, as most triangles are left for them.
+  /// A triangle and its bounds, which rule out most triangles.
   struct BoundedTriangle
   {
     LatticeBox bounds;
@@ -24,7 +24,7 @@ struct PointTrial
   /// An edge of the point.
   struct Spoke
   {
-    /// Its number in the grid; noIndex where it never was cut.
+    /// Its number in the grid; noIndex if it was never cut.
     Index id;
     EdgeSegment segment;
     /// The axis along which it runs with the point undisplaced, or -1.
@@ -33,7 +33,7 @@ struct PointTrial
     bool leavesDomain;
     std::vector<BoundedTriangle> triangles;
     std::vector<SurfaceCrossing> cuts;
-    /// The ways in which charts cut it in places so far, and in this one.
+    /// Lists of the charts that cut it at places so far, and the number of the list for this place.
     std::vector<std::vector<Index>> ways;
     std::size_t way;
   };
@@ -41,7 +41,7 @@ struct PointTrial
   struct Leaf
   {
     Index id;
-    /// A bit for each spoke it has.
+    /// Bits of the spokes that it has.
     unsigned spokes;
     bool hasOthers;
     std::vector<CutEdge> others;
@@ -51,7 +51,7 @@ struct PointTrial
 
   Index point = noIndex;
   LatticePoint undisplaced;
-  /// The places for which the spokes' triangles are those that may be met.
+  /// Places for which the spokes have all triangles that they may meet.
   LatticeBox reach;
   std::size_t spokeCount = 0;
   std::array<Spoke, 6> spokes;
@@ -64,11 +64,11 @@ struct PointTrial
   /// Triangles of a spoke that touch the bounds of its present segment.
   std::vector<Index> touching;
 
-  /// Sets the spoke's segment to what it is with the point there.
+  /// Sets the spoke's segment as it is with the point at `place`.
   void put(const LatticePoint& place, Spoke& spoke) const;
-  /// Lists `touching`.
+  /// Sets `touching`.
   void listTouching(const Spoke& spoke);
-  /// Sets the spoke's way.
+  /// Sets the spoke's way, by the charts of its cuts.
   static void setWay(std::span<const SurfaceCrossing> cuts, const SurfaceModel& model, Spoke& spoke);
   std::uint64_t waysOf(const Leaf& leaf) const;
   std::optional<int> foundIn(const Leaf& leaf) const;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
-/// Zones are followed, breadth first, from points that keep theirs through those that were moved and those of no zone.
+/// Follows zones, breadth first, from points that keep theirs through moved points and points of no zone.
 class JoiningPoints
 {
 public:
@@ -77,7 +77,7 @@ private:
     }
   }
 
-  /// The last moved point on the way to a point.
+  /// Adds the last moved point on the way to a point, if there is one.
   void addMoved(Index point)
   {
     while (!isFixed(point) && !grid.isDisplaced(point))

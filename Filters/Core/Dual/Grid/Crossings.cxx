@@ -52,7 +52,7 @@ public:
   }
 
 private:
-  /// The edge leads out of the domain.
+  /// Adds the face on an edge that leads out of the domain: on its first wall, or else on the domain's side.
   void leave(Index point, int direction, const GridPlaces::Edge& edge, Part& part)
   {
     const EdgeSegment segment = grid.segment(point, direction, edge);
@@ -159,7 +159,7 @@ void numberFaces(Crossings& out)
   }
 }
 
-/// The points at either end of the edges of these points, they included; sorted.
+/// Returns these points and those at the other ends of their edges; sorted.
 std::vector<Index> withNeighbors(const GridPlaces& grid, const std::vector<Index>& points)
 {
   std::vector<Index> all = points;
@@ -179,13 +179,13 @@ std::vector<Index> withNeighbors(const GridPlaces& grid, const std::vector<Index
   return all;
 }
 
-/// The point whose edges a face was found with.
+/// Returns the point whose edges a face was found with.
 Index finderOf(const BoundaryFace& face)
 {
   return face.opposite == noIndex || isUpper(face.direction) ? face.element : face.opposite;
 }
 
-/// Goes through what was found before, point by point.
+/// Copies crossings that were found before, point by point.
 class Remaining
 {
 public:

@@ -9,8 +9,8 @@
 
 namespace atria {
 
-/// An octree edge that surfaces cut: between grid points, or from one to outside the domain. Permeable surfaces do so
-/// as well, but alone they part nothing: the points remain neighbors, or the last one that of the side.
+/// An octree edge that surfaces cut: between grid points, or from one to outside the domain. Permeable surfaces alone
+/// separate nothing: the points remain neighbors, and the face of an edge out of the domain is on the side.
 struct CrossedEdge
 {
   /// The grid point the edge starts from, and the one at its end or noIndex. Edges between two points start from the
@@ -19,7 +19,7 @@ struct CrossedEdge
   Index other;
   std::uint8_t direction;
   EdgeSegment segment;
-  /// Its crossings are [begin, begin + count) of Crossings::cuts. Above one, sheets are merged.
+  /// Its crossings are [begin, begin + count) of Crossings::cuts. If there are several, sheets are merged.
   std::uint32_t begin;
   std::uint32_t count;
 };
@@ -27,7 +27,7 @@ struct CrossedEdge
 /// Neighbors of grid points, and the faces and cuts between them.
 struct Crossings
 {
-  /// Per grid point and Direction: as DualMesh::neighbors.
+  /// One entry per grid point and Direction, as in DualMesh::neighbors.
   Buffer<std::array<std::int32_t, 6>> neighbors;
   std::vector<BoundaryFace> boundaryFaces;
   std::vector<CrossedEdge> crossedEdges;
@@ -67,7 +67,7 @@ template <std::size_t n, typename F> void eachLeaf(const std::array<Index, n>& l
 /// Returns the crossed edges of each leaf, in order.
 Buckets edgesByLeaf(const Crossings& crossings, std::size_t leafCount, const RunContext& context);
 
-/// Crossings of one edge of the grid, whose segment was made with the same trial; see EdgeProbe.
+/// Returns the crossings of one edge of the grid, whose segment was made with the same trial; see EdgeProbe::cut().
 std::span<const SurfaceCrossing> cutEdge(const GridPlaces& grid, EdgeProbe& probe, Index point,
                                          const GridPlaces::Edge& edge, const EdgeSegment& segment,
                                          const GridTrial& trial = {});
@@ -78,8 +78,8 @@ std::span<const SurfaceCrossing> cutEdge(const GridPlaces& grid, EdgeProbe& prob
 /// triangles in the leaf beside it.
 Crossings findCrossings(const GridPlaces& grid, const SurfaceModel& model, const RunContext& context);
 
-/// The same crossings as findCrossings, from those found before these points moved or went back. Cost: O(1) for each of
-/// their edges, and one pass over the faces and cuts.
+/// Returns the crossings of findCrossings, from those found before the points `changed` moved or went back. Cost: O(1)
+/// for each of their edges, and one pass over the faces and cuts.
 Crossings updateCrossings(const GridPlaces& grid, const SurfaceModel& model, Crossings before,
                           const std::vector<Index>& changed, const RunContext& context);
 

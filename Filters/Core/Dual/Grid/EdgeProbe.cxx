@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// Pieces in a leaf beyond which a tree finds those near an edge sooner.
+/// Number of pieces in a leaf above which a tree finds those near an edge sooner.
 constexpr std::size_t longList = 64;
 
 } // namespace
@@ -172,7 +172,7 @@ bool EdgeProbe::isNick(const EdgeSegment& edge, const SurfaceCrossing& l, const 
   return false;
 }
 
-/// Taking out pairs keeps the parity of crossings along every closed path, so that closed surfaces stay closed.
+/// Drops bulges, in pairs. The parity of crossings along every closed path stays, so that closed surfaces stay closed.
 void EdgeProbe::dropBulges(const EdgeSegment& edge, std::size_t begin, std::size_t end)
 {
   for (std::size_t i = begin; i + 1 < end;)

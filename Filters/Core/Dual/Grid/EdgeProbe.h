@@ -20,7 +20,7 @@ inline constexpr double nickDepth = 0.3;
 struct SurfaceCrossing
 {
   Index triangle;
-  /// +1 where the triangle's normal points along the edge, -1 against it.
+  /// +1 if the triangle's normal points along the edge, -1 if against it.
   std::int32_t orientation;
   /// From 0 at the edge's start to 1 at its end.
   double parameter;
@@ -31,11 +31,11 @@ struct EdgeSegment
 {
   LatticePoint start;
   LatticePoint end;
-  /// Axis along which it runs, or -1 where an end was moved off it.
+  /// Axis along which it runs; -1 if an end was moved off it.
   int axis;
   /// Length of the octants' edge it stands for, in lattice units.
   std::int64_t size;
-  /// Leaves around the edge, in order; a large one may be there twice in a row.
+  /// Leaves around the edge, in order; a large one may be listed twice in a row.
   std::array<Index, 4> about;
 };
 
@@ -44,7 +44,7 @@ struct EdgeSegment
 std::optional<SurfaceCrossing> crossingOf(const EdgeSegment& edge, const LatticePoint& a, const LatticePoint& b,
                                           const LatticePoint& c, Index triangle);
 
-/// The side of a sheet seen from an edge's start, and from its end. The front is seen from where the normal points to.
+/// Return the side of a sheet that is seen from an edge's start, and from its end. The normal points out of the front.
 inline SheetSide seenFromStart(const SurfaceCrossing& cut)
 {
   return cut.orientation < 0 ? SheetSide::front : SheetSide::back;
@@ -54,7 +54,7 @@ inline SheetSide seenFromEnd(const SurfaceCrossing& cut)
   return cut.orientation > 0 ? SheetSide::front : SheetSide::back;
 }
 
-/// Finds crossings of grid edges with the model. Not for several threads at once: it keeps its memory.
+/// Finds crossings of grid edges with the model. Not for several threads at once, as it reuses its memory.
 class EdgeProbe
 {
 public:
@@ -64,19 +64,19 @@ public:
   {
   }
 
-  /// Crossings of an edge with the triangles of `leaves`, sorted from start to end; triangles on domain sides are
-  /// skipped. Pairs that only reach through the edge and back are left out, separately for walls and for permeable
-  /// surfaces. The result is valid until the next call.
+  /// Returns the crossings of an edge with the triangles of `leaves`, sorted from start to end. Triangles on domain
+  /// sides are skipped. Pairs that only reach through the edge and back are left out, separately for walls and for
+  /// permeable surfaces. The result is valid until the next call.
   std::span<const SurfaceCrossing> cut(const EdgeSegment& edge, std::span<const Index> leaves);
-  /// The same with some triangles, among which are all that touch the bounds of the edge.
+  /// The same with given triangles, which must include all that touch the bounds of the edge.
   std::span<const SurfaceCrossing> cutAmong(const EdgeSegment& edge, std::span<const Index> triangles);
 
-  /// The triangles of `leaves` whose bounds touch the box, each once, but for those on domain sides. More may be listed
-  /// for a box that reaches beyond these leaves.
+  /// Lists the triangles of `leaves` whose bounds touch the box, each once, without those on domain sides. More may be
+  /// listed for a box that reaches beyond these leaves.
   void gather(const LatticeBox& box, std::span<const Index> leaves, std::vector<Index>& triangles) const;
 
-  /// The triangle of a domain side that covers the point where the edge along `direction` through p leaves the domain;
-  /// noIndex if none.
+  /// Returns the triangle of a domain side that covers the point where the edge along `direction` through p leaves the
+  /// domain; noIndex if there is none.
   Index sideTriangle(Index leaf, const LatticePoint& p, int direction) const;
 
 private:
@@ -96,7 +96,7 @@ LatticeBox boundsOf(const EdgeSegment& edge);
 /// True if the bounds of a triangle touch a box.
 bool touchesBounds(const LatticeBox& box, const SurfaceModel& model, Index triangle);
 
-/// Point of an edge, in lattice units.
+/// Returns the point of an edge at a parameter, in lattice units.
 Vec3 pointOn(const EdgeSegment& edge, double parameter);
 
 } // namespace atria

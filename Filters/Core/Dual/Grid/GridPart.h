@@ -10,7 +10,7 @@
 
 namespace atria {
 
-/// Numbers in a row, from `begin` up to `end`.
+/// Consecutive numbers, from `begin` up to `end`.
 struct IndexRange
 {
   Index begin = 0;
@@ -32,7 +32,7 @@ struct PointSets
 struct JoinedSets
 {
   Index count = 0;
-  /// Per process, the joined set of each of its own sets.
+  /// One list per process: the joined set of each of its own sets.
   std::vector<std::vector<Index>> ofSet;
 };
 
@@ -44,14 +44,14 @@ template <typename T> struct AtPoint
 };
 
 /// The grid points and leaves that a process owns. Each point of the grid has one owner. A process may know points of
-/// others beside its own. This class is that of a process that owns all.
+/// others beside its own. This base class serves a process that owns all.
 ///
-/// Stages that depend on the whole grid count what is owned, and add that up. All processes call the functions that
-/// exchange data at the same time.
+/// Stages that depend on the whole grid count what each process owns, and add that up. All processes must call the
+/// functions that exchange data at the same time.
 class GridPart
 {
 public:
-  /// All of a grid.
+  /// Owns all of a grid.
   explicit GridPart(const GridPoints& points)
       : GridPart({0, static_cast<Index>(points.size())}, {0, static_cast<Index>(points.atCorner.size())}, alone())
   {
@@ -65,10 +65,10 @@ public:
   bool isWhole() const { return exchange_.ranks() == 1; }
   RankExchange& exchange() const { return exchange_; }
 
-  /// Joins sets of own points with those of other processes. `nextTo(point, direction)` is the point that is in one set
-  /// with an own one, in one of six directions; noIndex if there is none.
+  /// Joins sets of own points with those of other processes. `nextTo(point, direction)` returns the point in one of six
+  /// directions if it is in one set with the own point, else noIndex.
   virtual JoinedSets join(const PointSets& own, const std::function<Index(Index point, int direction)>& nextTo) const;
-  /// Sets the values of points that others own to theirs, and to `elsewhere` where nothing is known.
+  /// Sets the values of points that others own to theirs, or to `elsewhere` if these are not known.
   virtual void refresh(std::vector<std::int32_t>& /*values*/, std::int32_t /*elsewhere*/) const {}
   /// Sends values to the owners of their points. Returns those that were sent to this process.
   template <typename T> std::vector<AtPoint<T>> send(const std::vector<AtPoint<T>>& values) const;
@@ -89,7 +89,7 @@ protected:
     std::uint64_t key;
   };
   virtual Address addressOf(Index point) const { return {0, point}; }
-  /// The own point with a key.
+  /// Returns the own point with a key.
   virtual Index pointAt(std::uint64_t key) const { return static_cast<Index>(key); }
 
 private:

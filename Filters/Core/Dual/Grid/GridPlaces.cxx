@@ -68,7 +68,7 @@ EdgeSegment GridPlaces::segment(Index point, int direction, const Edge& edge, co
     segment.end = edge.other == noIndex ? segment.end : place(edge.other, trial);
     segment.axis = -1;
   }
-  // Round the edge: 0, 1, 3, 2 of the slots counted in bits of the other two axes.
+  // Order around the edge of the four slots, counted in bits of the other two axes.
   constexpr std::array<unsigned, 4> round{0, 1, 3, 2};
   const unsigned u = 1u << ((axis + 1) % 3);
   const unsigned v = 1u << ((axis + 2) % 3);

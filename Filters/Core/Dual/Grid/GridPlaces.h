@@ -16,7 +16,7 @@ struct GridTrial
   LatticePoint place{};
 };
 
-/// Positions of the grid points: the octants' corners, but for points that were moved (the displaced grid). The
+/// Positions of the grid points: the octants' corners, except for points that were moved (the displaced grid). The
 /// topology is the octree's in any case.
 class GridPlaces
 {
@@ -26,7 +26,7 @@ public:
   const Octree& octree() const { return octree_; }
   const GridPoints& points() const { return points_; }
 
-  /// The octants' corner a grid point is.
+  /// Returns the octants' corner that a grid point is.
   LatticePoint undisplaced(Index point) const { return positionOf(octree_, points_.leaves[point]); }
   LatticePoint place(Index point) const
   {
@@ -45,31 +45,31 @@ public:
   }
   std::size_t displacedCount() const { return moved_.size(); }
   void move(Index point, const LatticePoint& to) { moved_[point] = to; }
-  /// Sorted.
+  /// Returns the displaced points, sorted.
   std::vector<Index> displacedPoints() const;
   void undisplace(Index point) { moved_.erase(point); }
 
   /// The edge that leaves a grid point in a direction.
   struct Edge
   {
-    /// `leaf` is noIndex where there is no edge.
+    /// `leaf` is noIndex if there is no edge.
     GridEdge at;
-    /// The grid point at the other end; noIndex where the edge leaves the domain.
+    /// The grid point at the other end; noIndex if the edge leaves the domain.
     Index other = noIndex;
 
     bool exists() const { return at.leaf != noIndex; }
   };
   Edge edge(Index point, int direction) const;
-  /// One edge per Direction.
+  /// Returns one edge per Direction.
   std::array<Edge, 6> edges(Index point) const;
   bool isDisplaced(Index point, const Edge& edge, const GridTrial& trial = {}) const
   {
     return (!moved_.empty() || trial.point != noIndex) &&
            (isDisplaced(point, trial) || (edge.other != noIndex && isDisplaced(edge.other, trial)));
   }
-  /// The same as a segment; where it leads out of the domain it ends on the domain's side.
+  /// Returns an edge as a segment, which ends on the domain's side if the edge leads out of the domain.
   EdgeSegment segment(Index point, int direction, const Edge& edge, const GridTrial& trial = {}) const;
-  /// Leaves whose triangles can reach a moved edge: all around its ends.
+  /// Returns the leaves whose triangles can reach a moved edge: all around its ends.
   std::vector<Index> leavesNear(Index point, const Edge& edge) const;
 
 private:

@@ -60,7 +60,7 @@ template <typename Visit> void divide(const Octree& octree, const Region& region
   }
 }
 
-/// For each refined octant, by how many levels all leaves in it are finer; 0 where they are of several levels.
+/// Returns for each refined octant by how many levels all leaves in it are finer; 0 if they are of several levels.
 std::vector<std::uint8_t> findUniformDepths(const Octree& octree)
 {
   std::vector<std::uint8_t> depths(octree.refinedCount());
@@ -90,8 +90,8 @@ struct FoundPoint
   unsigned ownersCorner;
 };
 
-/// The points in a region all of whose leaves are of one level, inside the domain. Leaves then follow from their places
-/// in the octants' grids: no search is needed.
+/// Points, inside the domain, of a region all of whose leaves are of one level. Leaves then follow from their places in
+/// the octants' grids: no search is needed.
 class UniformBlock
 {
 public:
@@ -169,7 +169,7 @@ private:
   std::array<unsigned, 3> end;
 };
 
-/// Bits of the directions whose leaf fills no other direction.
+/// Returns the bits of the directions whose leaf fills no other direction.
 unsigned singleDirections(const std::array<Index, 8>& leaves)
 {
   unsigned shared = 0;
@@ -252,7 +252,7 @@ private:
     return common ? depth : 0;
   }
 
-  /// True if all parts but the one in the middle are between leaves, and have an extent.
+  /// True if only the middle of a region can be a point: its octants are leaves, or have only leaves as children.
   bool hasOnePoint(const Region& region) const
   {
     return std::all_of(region.nodes.begin(), region.nodes.end(),
@@ -275,7 +275,7 @@ private:
   std::vector<std::uint8_t> depths;
 };
 
-/// Parts of the octree to walk independently.
+/// Returns parts of the octree to walk independently.
 std::vector<Region> tasksOf(const Octree& octree, int level)
 {
   Region whole;
@@ -310,7 +310,7 @@ Index bitsIn(unsigned bits)
   return (bits & 0xfu) + (bits >> 4);
 }
 
-/// The first point each leaf owns, by the bits of those it owns; makes room for all points.
+/// Returns the first point of each leaf, from the bits of the points it owns. Makes room for all points.
 Buffer<Index> firstPoints(const std::vector<std::uint8_t>& owned, GridPoints& points, const RunContext& context)
 {
   const Pieces pieces(owned.size());
@@ -339,7 +339,7 @@ Buffer<Index> firstPoints(const std::vector<std::uint8_t>& owned, GridPoints& po
   return first;
 }
 
-/// The directions on one side of a point, in order.
+/// Returns the directions on one side of a point, in order.
 constexpr std::array<unsigned, 4> slotsAbout(int direction)
 {
   const unsigned bit = 1u << axisOf(direction);

@@ -9,26 +9,26 @@
 namespace atria {
 
 /// The octree's grid points inside the domain, hanging ones included, and how its edges join them.
-/// Points are numbered along the leaves' Morton order, whatever the threads do.
+/// Points are numbered along the leaves' Morton order, for any number of threads.
 struct GridPoints
 {
-  /// Per point, the leaf in each of the eight directions (bits x 1, y 2, z 4). A large leaf fills several.
+  /// One entry per point: the leaf in each of the eight directions (bits x 1, y 2, z 4). A large leaf fills several.
   Buffer<std::array<Index, 8>> leaves;
-  /// Per leaf and corner (same bits), the grid point there, or noIndex outside the domain.
+  /// One entry per leaf and corner (same bits): the grid point there; noIndex outside the domain.
   Buffer<std::array<Index, 8>> atCorner;
 
   std::size_t size() const { return leaves.size(); }
 };
 
-/// O(n): one walk over the octree and the faces, edges and points between its octants (Schaefer and Warren 2004),
-/// twice.
+/// Finds the grid points by two walks over the octree and the faces, edges and points between its octants (Schaefer and
+/// Warren 2004). O(n). Throws Error for 2^31 points or more.
 GridPoints findGridPoints(const Octree& octree, const RunContext& context);
 
 /// Returns the position of a grid point on the lattice.
 LatticePoint positionOf(const Octree& octree, const std::array<Index, 8>& leaves);
 
 /// The octree edge that leaves a grid point in a direction: the finest leaf that has it, and which corner of that leaf
-/// the point is. `leaf` is noIndex where there is no edge (a leaf's face or inside is there).
+/// the point is. `leaf` is noIndex if there is no edge (a leaf's face or inside is there).
 struct GridEdge
 {
   Index leaf = noIndex;

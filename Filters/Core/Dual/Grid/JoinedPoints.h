@@ -12,7 +12,7 @@
 
 namespace atria {
 
-/// Returns the sets of own points that are joined to each other, whatever the threads do.
+/// Returns the sets of own points that are joined to each other. The result does not depend on threads.
 /// \param nextTo  As of GridPart::join(); it must be symmetric. Several threads call it.
 template <typename NextTo> PointSets joinOwn(const IndexRange& own, const NextTo& nextTo, const RunContext& context)
 {
@@ -58,7 +58,7 @@ template <typename NextTo> PointSets joinOwn(const IndexRange& own, const NextTo
   context.executor.forEach(count, Pieces::length,
                            [&](std::size_t i) { sets.ofOwn[i] = joined.find(static_cast<Index>(i)); });
   joined.reset(0);
-  std::vector<Index> numbers(count); // of the first point of each set
+  std::vector<Index> numbers(count); // set numbers, at the first point of each set
   sets.count = numberInOrder(numbers, context.executor, [&](std::size_t i) { return sets.ofOwn[i] == i; });
   context.executor.forEach(count, Pieces::length, [&](std::size_t i) { sets.ofOwn[i] = numbers[sets.ofOwn[i]]; });
   return sets;

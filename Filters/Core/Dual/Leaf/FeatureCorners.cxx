@@ -15,7 +15,7 @@ using Ending = std::vector<Index>;
 /// Largest distance from an octant to a corner that its vertex takes, as a part of the octant's size.
 constexpr double cornerReach = 0.6;
 
-/// Leaves around a point, out to `cornerReach` times the size of the one that holds it.
+/// Returns the leaves around a point, out to `cornerReach` times the size of the leaf that holds it.
 std::vector<Index> leavesAbout(const Octree& octree, const LatticePoint& p, Index holder)
 {
   const std::int64_t end = octree.frame().latticeSize(0);
@@ -34,7 +34,7 @@ std::vector<Index> leavesAbout(const Octree& octree, const LatticePoint& p, Inde
   return leaves;
 }
 
-/// Distance of a point from a leaf against the leaf's size.
+/// Returns the distance of a point from a leaf over the leaf's size.
 double distanceFrom(const Octree& octree, Index leaf, const LatticePoint& p)
 {
   const LatticePoint low = octree.lowCorner(leaf);

@@ -26,11 +26,11 @@ struct ChainVertex
   std::vector<Index> links;
   /// Charts whose faces it has, sorted.
   std::vector<Index> charts;
-  /// The octant holds no piece of the curves; set when it is placed.
+  /// True if the octant holds no piece of the curves; set when the vertex is placed.
   bool isDiverted = false;
 };
 
-/// The curves that meet at each corner of the model, by the charts that end there; sorted, without repeats.
+/// Returns the curves that meet at each corner of the model, by the charts that end there; sorted, without repeats.
 std::vector<std::vector<std::vector<Index>>> curvesAtCorners(const SurfaceModel& model);
 
 /// Returns the corner of the model (index into its points) that each chain vertex takes; noIndex for none. `vertices`

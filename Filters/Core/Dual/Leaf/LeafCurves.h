@@ -28,7 +28,7 @@ public:
 
   /// Entries of a leaf, sorted.
   std::span<const Entry> of(Index leaf) const;
-  /// The entries that are at `chart`.
+  /// Returns those of sorted entries that are at `chart`.
   static std::span<const Entry> atChart(std::span<const Entry> entries, Index chart);
 
 private:

@@ -84,8 +84,8 @@ Vec3 LeafGeometry::onPlanes(Vec3 p) const
 
 Vec3 LeafGeometry::meanOfCuts() const { return count > 0.0 ? Vec3(sum / count) : center_; }
 
-/// A tip that reaches a grid point or edge only: the other leaves around it have the same cuts, but must not share the
-/// vertex.
+/// Returns the mean of the cuts. If a tip reaches only a grid point or edge, returns the middle between that and the
+/// center: other leaves there have the same cuts, but must not share the vertex.
 Vec3 LeafGeometry::tipOrMean() const
 {
   const double edgeLength = frame.latticeUnit() * static_cast<double>(box.high[0] - box.low[0]);
@@ -95,7 +95,7 @@ Vec3 LeafGeometry::tipOrMean() const
 
 bool LeafGeometry::hasChart(Index chart) const { return std::binary_search(charts_.begin(), charts_.end(), chart); }
 
-/// A point on the border of octants belongs to one of them only: the lower one, as the grid's symbolic shift has it.
+/// True if the leaf has a point. One on the border of octants belongs to the lower one, by the grid's symbolic shift.
 bool LeafGeometry::owns(const LatticePoint& p) const
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -144,7 +144,7 @@ std::optional<Vec3> LeafGeometry::sidePosition()
   return middle ? std::optional(onPlanes(*middle)) : std::nullopt;
 }
 
-/// The corner, nearest to the center, of what lies on the domain sides through the leaf.
+/// Returns the corner, nearest to the center, of what lies on the domain sides through the leaf.
 std::optional<Vec3> LeafGeometry::sideCorner() const
 {
   NearestPlace best{center_};
@@ -226,7 +226,7 @@ std::optional<Vec3> LeafGeometry::nearestCurvePosition(const std::vector<std::ve
   return found ? std::optional(onPlanes(*found)) : std::nullopt;
 }
 
-/// The 26 places beside the leaf.
+/// Adds the leaves at the 26 places beside the leaf.
 void LeafGeometry::addNeighbors()
 {
   const std::int64_t size = box.high[0] - box.low[0];
@@ -255,7 +255,7 @@ bool LeafGeometry::misses(const Vec3& p) const
          });
 }
 
-/// The middle of those parts of curves in the leaf that it owns, on the one that is nearest to it.
+/// Returns the middle of those parts of wanted curves that the leaf owns, moved to the nearest place on them.
 template <typename Wanted> std::optional<Vec3> LeafGeometry::middleOfPieces(Wanted&& wanted)
 {
   segments.clear();
@@ -285,7 +285,7 @@ template <typename Wanted> std::optional<Vec3> LeafGeometry::middleOfPieces(Want
   return length > 0.0 ? nearestOfSegments(weighted / length) : std::nullopt;
 }
 
-/// The point nearest to p of the curves in the leaf and those beside it; on domain planes, of where curves meet them.
+/// Returns the point nearest to p of wanted curves in `leaves`; on domain planes, of the places where curves meet them.
 template <typename Wanted> std::optional<Vec3> LeafGeometry::nearestOnCurves(const Vec3& p, Wanted&& wanted)
 {
   segments.clear();
@@ -343,8 +343,8 @@ std::optional<Vec3> LeafGeometry::whereSegmentsMeetPlanes(const Vec3& p) const
   return best.place();
 }
 
-/// The nearest point of triangles whose chart is wanted: those in the leaf, or, where there are none or the grid was
-/// moved, in the leaves beside it as well.
+/// Returns the nearest point of triangles of wanted charts: those in the leaf and, if there are none or the grid was
+/// moved, those in the leaves beside it.
 template <typename Wanted> std::optional<Vec3> LeafGeometry::nearestOnPieces(const Vec3& p, Wanted&& wanted) const
 {
   NearestPlace best{p};

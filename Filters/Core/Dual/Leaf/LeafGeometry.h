@@ -9,34 +9,34 @@
 
 namespace atria {
 
-/// Finds places for the vertex of a leaf: on corners, curves and surfaces of the model in it, on the domain's planes
-/// through it. Takes one leaf after the other: `enter`, its cut edges, the charts that cut them; then positions can be
-/// requested.
+/// Finds places for the vertex of a leaf: on corners, curves and surfaces of the model in it, and on the domain's
+/// planes through it. Takes one leaf after the other. Positions can be requested after enter(), addCut() for each of
+/// its cut edges, and setCharts().
 class LeafGeometry
 {
 public:
   LeafGeometry(const Octree& tree, const SurfaceModel& surfaces) : octree(tree), frame(tree.frame()), model(surfaces) {}
 
-  /// The octant's center, if no domain side passes through it. The leaf is not entered.
+  /// Returns the octant's center; nullopt if a domain side passes through it. Does not enter the leaf.
   std::optional<Vec3> centerOffSides(Index leaf) const;
 
   void enter(Index leaf);
   void addCut(const EdgeSegment& edge, std::span<const SurfaceCrossing> cuts);
-  /// Sorted.
+  /// Sets the charts that cut the edges; sorted.
   void setCharts(const std::vector<Index>& charts) { charts_ = charts; }
 
   bool isOnSide() const { return planes != 0; }
-  /// The octant's center, on the domain sides through it.
+  /// Returns the octant's center, on the domain sides through it.
   Vec3 center() const { return onPlanes(center_); }
 
-  /// On a domain side, a corner or curve of what lies on the side; if there is one.
+  /// Returns a corner or place on a curve of what lies on the leaf's domain sides; nullopt if there is none.
   std::optional<Vec3> sidePosition();
-  /// The mean of the cuts, put on the charts; or the middle of a fold within a chart.
+  /// Returns the mean of the cuts, put on the charts; or the middle of a fold within a chart.
   Vec3 surfacePosition();
   Vec3 cornerPosition(Index point) const { return onPlanes(modelPoint(point)); }
-  /// The middle of the curves at which exactly these charts end; or their nearest point, where they pass by.
+  /// Returns the middle of the curves at which exactly these charts end; or their nearest point, if they pass by.
   std::optional<Vec3> curvePosition(const std::vector<std::vector<Index>>& endings);
-  /// The point of these curves nearest to p, in the leaf or around it.
+  /// Returns the point of these curves nearest to p, in the leaf or around it.
   std::optional<Vec3> nearestCurvePosition(const std::vector<std::vector<Index>>& endings, const Vec3& p);
   /// True if curvePosition found no piece of the curves in the leaf itself.
   bool isDiverted() const { return diverted; }
@@ -70,7 +70,7 @@ private:
   Index leaf_ = noIndex;
   LatticeBox box{};
   unsigned planes = 0;
-  /// The leaf, then those around its cut edges; the latter only where they are needed.
+  /// The leaf, then those around its cut edges, which are searched only if needed.
   std::vector<Index> leaves;
   bool isDisplaced = false;
   bool diverted = false;

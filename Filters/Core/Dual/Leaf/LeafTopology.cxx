@@ -139,7 +139,7 @@ void LeafTopology::gather(Index leaf, std::span<const CutEdge> edges)
   std::sort(uses.begin(), uses.end());
 }
 
-/// Curves in which two of the charts meet.
+/// Gathers the curves in which two of the charts meet.
 void LeafTopology::gatherCurves(Index leaf, std::span<const CutEdge> edges)
 {
   meeting.clear();
@@ -195,7 +195,7 @@ void LeafTopology::look(Index leaf, std::size_t begin, std::size_t end)
 }
 
 /// Joins the charts of `firstOfChart` that meet in a curve of the model, at the mesh edge where `ending` end. Returns
-/// whether there are any.
+/// true if there are any.
 bool LeafTopology::joinMeeting()
 {
   bool any = false;

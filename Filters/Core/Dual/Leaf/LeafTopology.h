@@ -16,7 +16,7 @@ struct CutEdge
   std::span<const SurfaceCrossing> cuts;
 };
 
-/// The edge as `leaf` sees it, which is one of the leaves around it.
+/// Returns the edge as `leaf` sees it, which is one of the leaves around it.
 CutEdge seenFrom(Index leaf, const EdgeSegment& edge, std::span<const SurfaceCrossing> cuts);
 
 /// Lists a leaf and those beside its cut edges, in that order, without repetition.
@@ -49,16 +49,16 @@ public:
   const std::vector<Index>& charts() const { return charts_; }
   /// Links inside the domain, sorted by leaf. Mesh edges in a domain side, where all charts end, are none.
   const std::vector<Link>& links() const { return links_; }
-  /// The different curves among the links, by the charts that end there; sorted.
+  /// Returns the different curves among the links, by the charts that end there; sorted.
   std::vector<std::vector<Index>> curves() const;
   /// True if the links are more than one curve that passes by: curves meet or end at the vertex.
   bool isKnot() const;
   /// True if one curve ends at the vertex.
   bool isEnd() const { return links_.size() == 1; }
-  /// The number of sheets at the vertex that do not meet in a curve of the model near it. Above one, the vertex cannot
-  /// be on all of them.
+  /// Returns the number of sheets at the vertex that do not meet in a curve of the model near it. If there are several,
+  /// the vertex cannot be on all of them.
   int sheets() const { return sheets_; }
-  /// Charts of different sheets, two by two; the smaller first, sorted.
+  /// Returns pairs of charts that are on different sheets; the smaller first, sorted.
   const std::vector<std::pair<Index, Index>>& apart() const { return apart_; }
 
 private:
@@ -83,7 +83,7 @@ private:
   const LeafCurves& leafCurves;
   std::vector<Use> uses;
   UnionFind sets;
-  /// Per face, the first use of it.
+  /// One entry per face: its first use.
   std::vector<Index> firstOfFace;
   std::vector<Index> chartsOfFaces;
   /// At the mesh edge looked at, the first use of each chart, and the charts that end there.
@@ -92,7 +92,7 @@ private:
   /// Charts and the sheets they are on.
   std::vector<std::pair<Index, Index>> parts;
   std::vector<Index> charts_;
-  /// Curves and charts that meet there, and the curves among them in which two charts of the vertex do.
+  /// Pairs of a near curve and a chart of the vertex that meets there, and the curves with several such charts.
   std::vector<std::pair<Index, Index>> meeting;
   std::vector<Index> nearCurves;
   std::vector<Index> nearLeaves;

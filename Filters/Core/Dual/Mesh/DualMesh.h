@@ -20,7 +20,7 @@ inline constexpr std::array<std::uint8_t, 8> hexahedronCorner{0, 1, 3, 2, 4, 5, 
 inline constexpr std::array<std::array<std::uint8_t, 4>, 6> hexahedronFace{
     {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
 
-/// The side of a sheet an element lies on: the front is where the triangle's points run counter-clockwise.
+/// The side of a sheet that an element lies on. Seen from the front, the triangle's points run counterclockwise.
 enum class SheetSide : std::uint8_t
 {
   front,
@@ -31,13 +31,13 @@ enum class SheetSide : std::uint8_t
 struct BoundaryFace
 {
   Index element;
-  /// A surface id; or the number of surfaces plus a Direction for a bare domain side.
+  /// Surface id; or the number of surfaces plus the number of a bare domain side (Grid/Prism.h).
   Index tag;
   /// The element on the other side of the sheet, if that is in the mesh; else noIndex.
   Index opposite;
   std::uint8_t direction;
   SheetSide side;
-  /// The face is a side of the domain, bare or named by a surface that lies on it.
+  /// True if the face is on a side of the domain, bare or named by a surface that lies on it.
   bool onDomainSide;
   /// The smooth piece of the surface; noIndex on a domain side.
   Index chart = noIndex;
@@ -50,33 +50,33 @@ struct ZoneFace
   /// The surface's id.
   Index tag;
   std::uint8_t direction;
-  /// The side of the surface the element lies on; the neighbor lies on the other.
+  /// The side of the surface on which the element lies; the neighbor lies on the other.
   SheetSide side;
 };
 
-/// An element is the dual of a grid point; its corners are the vertices of the octants around the point, one an octant
-/// direction, and its faces the duals of the octree's edges in the six axis directions. A face is the quad of its four
-/// corners, less those that coincide; with fewer than three left it is none. Layer elements have the same form. 61
-/// bytes an element: 56 for corners and neighbors, 5 for level and zone.
+/// An element is the dual of a grid point. Its corners are the vertices of the octants in the eight directions from the
+/// point, its faces the duals of the octree's edges in the six axis directions. A face has its four corners without
+/// those that coincide; with fewer than three left it is none. Layer elements have the same form. Takes 61 bytes an
+/// element: 56 for corners and neighbors, 5 for level and zone.
 struct DualMesh
 {
-  /// Neighbor code of a face that is an edge or a point only.
+  /// Neighbor code of a face that has shrunk to an edge or a point.
   static constexpr std::int32_t noFace = std::numeric_limits<std::int32_t>::min();
   static constexpr bool isBoundary(std::int32_t neighbor) { return neighbor < 0 && neighbor != noFace; }
   static constexpr Index boundaryFaceOf(std::int32_t neighbor) { return static_cast<Index>(~neighbor); }
 
   std::vector<Vec3> points;
-  /// Per element, eight points in VTK's order of a hexahedron.
+  /// One entry per element: eight points in VTK's order of a hexahedron.
   Buffer<std::array<Index, 8>> corners;
-  /// Per element and Direction: the element across, or ~i for boundary face i, or noFace.
+  /// One entry per element and Direction: the element across, or ~i for boundary face i, or noFace.
   Buffer<std::array<std::int32_t, 6>> neighbors;
   std::vector<BoundaryFace> boundaryFaces;
-  /// Each face once.
+  /// Lists each face once.
   std::vector<ZoneFace> zoneFaces;
-  /// Per element: the level of the finest octant around it; its zone.
+  /// One entry per element: the level of the finest octant around it, and its zone.
   Buffer<std::uint8_t> levels;
   Buffer<std::int32_t> zones;
-  /// Per element its room, and the surface that encloses it as a cell zone; -1 for none. Empty where there are none.
+  /// One entry per element: its room, and the surface that encloses it as a cell zone; -1 for none. Empty if unused.
   Buffer<std::int32_t> rooms;
   Buffer<std::int32_t> cellZones;
 
@@ -107,7 +107,7 @@ inline void appendElement(DualMesh& to, const std::array<Index, 8>& corners,
   appendLabels(to, from, like);
 }
 
-/// A face with coinciding corners taken out; `count` is below 3 where there is no face.
+/// A face without coinciding corners. `count` is below 3 if there is no face.
 struct ReducedFace
 {
   std::array<Index, 4> points;

@@ -8,7 +8,7 @@
 
 namespace atria {
 
-/// Area vector of a face, outwards, and the integral of a third of its points' product with it. The volume of a set of
+/// Outward area vector of a face, and the integral of a third of its points' product with it. The volume of a set of
 /// elements is the sum of these integrals over the faces around it.
 struct FaceFlux
 {
@@ -16,8 +16,8 @@ struct FaceFlux
   double volume = 0.0;
 };
 
-/// Returns the flux through a face of an element, triangulated around its middle. Points count from `origin`, which
-/// keeps the summands small.
+/// Returns the flux through a face of an element, triangulated around its middle. Positions are relative to `origin`,
+/// which keeps the summands small.
 inline FaceFlux fluxOf(const DualMesh& mesh, Index element, int direction, const Vec3& origin)
 {
   const ReducedFace face = faceOf(mesh.corners[element], direction);

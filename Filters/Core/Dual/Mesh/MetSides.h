@@ -11,9 +11,9 @@ struct MetSides
 {
   bool front = false;
   bool back = false;
-  /// Somewhere on the front and on the back of one face.
+  /// True if a face has elements on both its front and its back.
   bool atOnce = false;
-  /// Within the mesh.
+  /// True if it has faces within the mesh.
   bool within = false;
 
   bool hasBoundary() const { return front || back; }

@@ -9,7 +9,7 @@
 
 namespace atria {
 
-/// The elements that a process owns, of a mesh that it has with others. By default a process owns all.
+/// The elements that a process owns of a mesh that it makes with others. The default owns all.
 struct OwnElements
 {
   /// Empty if all elements are own ones.

@@ -21,8 +21,8 @@ struct BoundaryStars
   Buckets elements;
 };
 
-/// Only where both sides of some sheet are in the mesh, or zones touch, can there be more than one sector; all boundary
-/// points are looked at nevertheless, as zones may touch at a point.
+/// Returns the stars of all boundary points. There can be several sectors only at sheets with both sides in the mesh
+/// and where zones touch, but zones may touch at any boundary point.
 BoundaryStars findStars(const DualMesh& mesh, const RunContext& context)
 {
   const std::vector<char> marked = boundaryPoints(mesh, context.executor);
@@ -99,7 +99,7 @@ std::vector<Index> splitSheets(DualMesh& mesh, const RunContext& context)
   const Index count = scan(copies);
   context.progress.check();
   const auto before = static_cast<Index>(mesh.points.size());
-  mesh.points.reserve(before + count); // they are few, and without it there would be room for twice as many
+  mesh.points.reserve(before + count); // else the list would grow to twice its size
   mesh.points.resize(before + count);
   std::vector<Index> sources(count);
   for (const Index i : split)

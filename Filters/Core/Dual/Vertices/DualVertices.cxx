@@ -35,7 +35,7 @@ public:
   /// Places a vertex that is on no curve, or notes that it is on one.
   void placeOrNote(Index vertex, Index leaf, LeafCuts cuts, DualVertices& out, Part& part)
   {
-    // Most are in the open, and free as all are at first.
+    // Most vertices are in the open, and free as all are at first.
     if (const auto center = cuts.empty() ? geometry.centerOffSides(leaf) : std::nullopt)
     {
       out.positions[vertex] = *center;
@@ -61,7 +61,7 @@ public:
     }
     out.positions[vertex] = geometry.surfacePosition();
     out.compromised[vertex] = topology.sheets() > 1 && geometry.misses(out.positions[vertex]) ? 1 : 0;
-    // Between two sheets it would slide from one to the other.
+    // A vertex on two charts would slide from one to the other.
     const bool onOne = topology.charts().size() == 1;
     out.classification.classes[vertex] = onOne && !out.compromised[vertex] ? VertexClass::surface : VertexClass::fixed;
     if (out.classification.classes[vertex] == VertexClass::surface)
@@ -133,7 +133,7 @@ private:
   std::vector<CutEdge> edges;
 };
 
-/// Corners that no vertex took, although their curves are in the mesh around them.
+/// Returns the corners of the model that no vertex took.
 std::vector<Index> missedCorners(const SurfaceModel& model, const std::vector<Index>& taken)
 {
   std::vector<Index> missed;
@@ -144,7 +144,7 @@ std::vector<Index> missedCorners(const SurfaceModel& model, const std::vector<In
   return missed;
 }
 
-/// The middle between the two vertices a vertex is linked with.
+/// Returns the middle between the two vertices that a vertex is linked with; nullopt if there are not two.
 std::optional<Vec3> middleOfLinks(const ChainVertex& vertex, const std::vector<ChainVertex>& chain,
                                   const std::vector<Vec3>& positions)
 {
@@ -163,7 +163,7 @@ std::optional<Vec3> middleOfLinks(const ChainVertex& vertex, const std::vector<C
   return count == 2 ? std::optional<Vec3>(0.5 * sum) : std::nullopt;
 }
 
-/// The model's curves by the charts that end there.
+/// Returns the model's curves by the charts that end there.
 std::map<std::vector<Index>, std::vector<Index>> curvesByEnding(const SurfaceModel& model)
 {
   std::map<std::vector<Index>, std::vector<Index>> curves;
@@ -177,8 +177,8 @@ std::map<std::vector<Index>, std::vector<Index>> curvesByEnding(const SurfaceMod
   return curves;
 }
 
-/// Detaches vertices that lie in one place, as several may where a curve ends on a domain side. All but the first, or
-/// the one that has the corner, may leave the curve for its charts. Returns their positions in the chain.
+/// Detaches vertices that lie in one place, as several may where a curve ends on a domain side. All except the one that
+/// has the corner, or else the first, may leave the curve for its charts. Returns their places in the chain.
 std::vector<Index> detachCoincident(const std::vector<ChainVertex>& chain, const std::vector<Index>& corners,
                                     DualVertices& vertices)
 {
@@ -255,7 +255,7 @@ void fillPieces(VertexClassification& classification, const std::vector<Part>& p
   }
 }
 
-/// Detaches vertices of clusters, and those that are not where they should be: elements around them are better, and
+/// Detaches vertices of clusters, and vertices that are not where they should be. Elements around them are better, and
 /// valid sooner, if they give way. Vertices at sides of a turned domain stay there.
 void detachUnresolved(const Octree& octree, const SurfaceModel& model, const Buckets& cutsOf, DualVertices& vertices)
 {

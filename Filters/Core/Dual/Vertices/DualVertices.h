@@ -15,8 +15,8 @@ enum class VertexClass : std::uint8_t
   surface,  ///< on charts
   curve,    ///< on feature curves
   adjacent, ///< on the charts that meet at its curves: detached from these
-  fixed,    ///< at a corner, or where it is on several pieces or on none it should be on
-  detached  ///< near where it was: off the pieces it should be on, or in a cluster
+  fixed,    ///< at a corner, on several pieces, or on none of those it should be on
+  detached  ///< near its first position: off the pieces it should be on, or in a cluster
 };
 
 /// Limits how far a detached vertex may be, along each axis, from its first position.
@@ -31,7 +31,7 @@ struct VertexClassification
 {
   std::vector<VertexClass> classes;
   std::vector<Index> leaves;
-  /// Charts of vertices on surfaces, curves of those on curves.
+  /// Charts of vertices on surfaces, and curves of vertices on curves.
   std::vector<Index> offsets;
   std::vector<Index> pieces;
   /// Lateral sides of a turned domain (by Direction, as bits) on which vertices stay; empty without such a domain.
@@ -50,10 +50,10 @@ struct DualVertices
 {
   std::vector<Vec3> positions;
   VertexClassification classification;
-  /// True if the vertex should be on several pieces of the model, or at a corner, and is not: they do not meet near the
+  /// 1 if the vertex should be on several pieces of the model, or at a corner, and is not: they do not meet near the
   /// octant, which is as fine as was allowed.
   std::vector<char> compromised;
-  /// Corners of the model, as indices into its points, at which no vertex is although curves of the mesh pass by.
+  /// Corners of the model, as indices into its points, at which no vertex is.
   std::vector<Index> missedCorners;
 };
 

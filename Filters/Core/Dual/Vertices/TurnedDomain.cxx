@@ -12,10 +12,10 @@ namespace {
 
 using Edge = std::array<Index, 2>;
 
-/// The sides are surfaces whose corners are on the lattice: points on them are this near to the planes.
+/// Distance of points on sides from the sides' planes, at most: sides are surfaces whose corners are on the lattice.
 constexpr double roundingUnits = 4.0;
 
-/// From the axes of the grid to those of the domain.
+/// Returns the turn from the axes of the grid to those of the domain.
 Placement turnOf(const GridFrame& frame)
 {
   return Placement(frame.turnedDomain->axes.angle() - frame.placement.angle());
@@ -65,7 +65,7 @@ std::optional<Vec2> cornerOf(const PlacedPrism& domain, SideBits sides)
   return std::nullopt;
 }
 
-/// The chains that edges form, each from its lower end up. Rings and what branches are left out.
+/// Returns the chains that edges form, each from its lower end up. Rings and branching chains are left out.
 std::vector<std::vector<Index>> chainsOf(const std::vector<Edge>& edges, const std::vector<Vec3>& points)
 {
   std::map<Index, std::vector<Index>> next;
@@ -89,7 +89,7 @@ std::vector<std::vector<Index>> chainsOf(const std::vector<Edge>& edges, const s
       const std::vector<Index>& around = next[at];
       at = around.size() == 2 ? around[around[0] == before ? 1 : 0] : noIndex;
     }
-    // Each is found from both ends.
+    // Each chain is found from both ends.
     const auto key = [&](Index p) { return std::pair(points[p][2], p); };
     if (next[chain.back()].size() == 1 && key(chain.front()) < key(chain.back()))
     {
@@ -99,8 +99,8 @@ std::vector<std::vector<Index>> chainsOf(const std::vector<Edge>& edges, const s
   return chains;
 }
 
-/// The heights of a chain's points; where they do not rise, as where the chain runs level from one octant to the next,
-/// they are spread up to the next that does.
+/// Returns the heights of a chain's points. If some do not rise, as where the chain runs level from one octant to the
+/// next, they are spread up to the next that does.
 std::vector<double> risingHeights(const std::vector<Index>& chain, const std::vector<Vec3>& points)
 {
   std::vector<double> heights(chain.size());
@@ -205,7 +205,7 @@ void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surf
     const std::optional<Vec2> corner = cornerOf(*frame.turnedDomain, sides);
     if (!corner)
     {
-      continue; // sides shorter than elements part them
+      continue; // a side shorter than elements lies between them
     }
     const Vec3 upright = relative.toModel({(*corner)[0], (*corner)[1], 0.0});
     for (const std::vector<Index>& chain : chainsOf(edges, mesh.points))

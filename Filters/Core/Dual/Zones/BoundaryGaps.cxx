@@ -21,7 +21,7 @@ LatticePoint moved(const LatticePoint& p, const Vec3& by)
   return {p[0] + std::llround(by[0]), p[1] + std::llround(by[1]), p[2] + std::llround(by[2])};
 }
 
-/// Takes what is ahead of a place of a boundary edge, or touches it, where nothing connected is nearer.
+/// Accepts places that are ahead of a place of a boundary edge, or touch it, if nothing connected to them is nearer.
 struct AheadRule : TriangleTree::AnyPlace
 {
   const SurfaceModel& model;
@@ -49,7 +49,7 @@ struct AheadRule : TriangleTree::AnyPlace
   }
 
 private:
-  /// True if the place is also on the boundary edge's own triangle, or on one with a place nearer to p.
+  /// True if the place is also on the boundary edge's own triangle, or on a triangle with a place nearer to p.
   bool isConnectedWithNearer(const TriangleTree::Place& place) const
   {
     const auto isNearer = [&](Index t) {
@@ -72,7 +72,7 @@ public:
   {
   }
 
-  /// Stations along an edge; none where nothing is ahead.
+  /// Returns the stations along an edge; empty if nothing is ahead of it.
   std::vector<BoundaryStation> walk(const BoundaryEdge& edge) const
   {
     const LatticePoint& a = model.points[edge.a];
@@ -85,7 +85,7 @@ public:
     bool any = false;
     for (std::uint32_t i = 0; i <= count; ++i)
     {
-      // At the end itself other edges begin.
+      // Looks from a little inside, as other edges begin at the ends.
       const double inside = std::clamp(static_cast<double>(i), coincidentRatio, count - coincidentRatio) / count;
       BoundaryStation station = look(moved(a, along * inside), edge.triangle, outward);
       station.at = i == count ? b : moved(a, along * (static_cast<double>(i) / count));
@@ -119,7 +119,7 @@ private:
     return {p, touches ? Vec3(Vec3::Zero()) : Vec3(place->at - from), size};
   }
 
-  /// Returns the way to the nearest domain side ahead.
+  /// Returns the way to the nearest domain side ahead within `reach`; nullopt if there is none.
   std::optional<Vec3> sideAhead(const LatticePoint& p, double reach, const Vec3& outward) const
   {
     std::optional<Vec3> best;
@@ -179,7 +179,7 @@ std::vector<BridgeTriangle> BoundaryGaps::cornerBridge(const BoundaryEdges::End&
   const auto station = [&](const BoundaryEdges::End& end) {
     return end.which == 0 ? stations[end.edge].front() : stations[end.edge].back();
   };
-  // Wound as the bridge of the edge that begins here goes on from that of the one that ends here.
+  // The corner is wound like the bridges: the edge that begins here continues the one that ends here.
   const BoundaryStation u = station(one.which == 1 ? one : other);
   const BoundaryStation v = station(one.which == 1 ? other : one);
   if (!u.isBridged(widest) || !v.isBridged(widest))

@@ -44,8 +44,8 @@ const PointDepth& depthAt(Index point, const SurfaceDepths& depths)
   return *found;
 }
 
-/// Returns the links between the parts of all processes, which are numbered one process after the other. Those of this
-/// process begin at `first`.
+/// Returns the links between the parts of all processes, which are numbered one process after the other. The parts of
+/// this process begin at `first`.
 std::vector<DepthLink> joinLinks(const SurfaceDepths& depths, Index first, const GridPart& part)
 {
   std::vector<DepthLink> own;

@@ -66,8 +66,8 @@ public:
     return least;
   }
 
-  /// The planes in which a gap at p may lie, if the way through it runs along `along`: those of the triangles that end
-  /// where they are nearest to p, and those through the nearest point that the way crosses.
+  /// Returns the planes in which a gap at p may lie if the way through it runs along `along`: those of triangles that
+  /// end where they are nearest to p, and those through the nearest point that the way crosses.
   std::vector<Plane> planesOfGap(const Vec3& p, const Vec3& along) const
   {
     Vec3 nearest(p[0], p[1], frame.domain.min[2]);
@@ -104,7 +104,7 @@ public:
     return planes;
   }
 
-  /// Surfaces within `reach` of p, nearest first, each once.
+  /// Returns the surfaces within `reach` of p, nearest first, each once.
   std::vector<Index> within(const Vec3& p, double reach) const
   {
     std::vector<std::pair<double, Index>> found;
@@ -149,7 +149,7 @@ struct Ball
   double radius;
 };
 
-/// Climbs in a plane from the point nearest to `place` to where surfaces are farthest. The ball is infinite where that
+/// Climbs in a plane from the point nearest to `place` to where surfaces are farthest. The ball is infinite if that
 /// leads farther than `reach`: the plane is not that of a gap then.
 Ball largestBall(const Surroundings& about, const Vec3& place, const Plane& plane, double size, double reach)
 {
@@ -178,8 +178,8 @@ Ball largestBall(const Surroundings& about, const Vec3& place, const Plane& plan
   return ball;
 }
 
-/// The largest ball in the gap around a place: in the plane in which there is least room, as long as the gap is open at
-/// the place itself.
+/// Returns the largest ball in the gap around a place: in the plane with least room, but with enough room for the place
+/// itself.
 Ball gapAt(const Surroundings& about, const Vec3& place, const Vec3& along, double size, double reach)
 {
   // A smaller ball is in a crevice beside the place, not in its gap.
@@ -329,9 +329,9 @@ Clearance::OfEdge Clearance::ofEdge(Index from, Index to) const
 
 Passage passageBetween(const Vec3& p, const Vec3& q, double size, const Octree& octree, const SurfaceModel& model)
 {
-  // In octants: what is farther away is another gap.
+  // Distance in octants beyond which a ball is in another gap.
   constexpr double farthestMove = 2.0;
-  // Places along the way: a gap is passed at any of them.
+  // Number of places along the way, as a gap may be anywhere on it.
   constexpr int samples = 5;
   const double clearance = Surroundings(p, 2.0 * size, octree, model).clearance(p);
   const double reach = std::min(clearance, octree.frame().rootSize()) + (q - p).norm();
@@ -348,7 +348,7 @@ Passage passageBetween(const Vec3& p, const Vec3& q, double size, const Octree& 
       passage.width = 2.0 * ball.radius;
     }
   }
-  // As far as where the ball is may be off its place.
+  // The center of the ball may be off by as much as the search is.
   passage.surfaces = about.within(passage.center, 0.5 * passage.width + 2.0 * coincidentRatio * size);
   return passage;
 }

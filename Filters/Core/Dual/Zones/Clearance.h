@@ -7,10 +7,10 @@
 namespace atria {
 
 /// Distances from the grid points of a zone, and from the octree edges that join them, to surfaces. Surfaces on the
-/// domain's sides count too, and its bottom, which is ground even where it is bare.
+/// domain's sides count too, and so does its bottom, which is ground even where it is bare.
 ///
-/// Beside surfaces distances are exact. Farther away they are to the nearest of those triangles that are nearest to
-/// neighboring points (Danielsson 1980), which may be too far by little.
+/// Distances beside surfaces are exact. Farther away only triangles that are nearest to neighboring points are tried
+/// (Danielsson 1980), so that distances may be a little too large.
 class Clearance
 {
 public:
@@ -51,10 +51,10 @@ struct Passage
   /// The surfaces that the ball all but touches, nearest first; noIndex for the bare bottom of the domain.
   std::vector<Index> surfaces;
 };
-/// The narrowest passage on the way from p to q, if they are neighboring grid points with octants of `size`. At places
-/// between them, a ball is moved away from surfaces in the planes in which a gap may lie, by two octants at most, until
-/// it touches some on opposite sides; the smallest is the passage. Infinitely wide, with `p` as its center, where there
-/// is none.
+/// Returns the narrowest passage on the way from p to q, which are neighboring grid points with octants of `size`. At
+/// places between them, a ball is moved away from surfaces in the planes in which a gap may lie, by two octants at
+/// most, until it touches some on opposite sides. The smallest ball is the passage. It is infinitely wide, with `p` as
+/// its center, if there is none.
 Passage passageBetween(const Vec3& p, const Vec3& q, double size, const Octree& octree, const SurfaceModel& model);
 
 } // namespace atria

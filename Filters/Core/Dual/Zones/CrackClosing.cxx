@@ -18,7 +18,7 @@ bool isUncut(Index point, int direction, const Crossings& crossings)
                    : DualMesh::isBoundary(code) && crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)].onDomainSide;
 }
 
-/// Puts the cut of an edge on record, as findCrossings does.
+/// Adds the cut of an edge to the crossings, as findCrossings does.
 void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model, const PassingEdge& passage)
 {
   const GridPlaces::Edge edge = grid.edge(passage.point, passage.direction);
@@ -44,7 +44,7 @@ void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model
        false, chart});
 }
 
-/// The passages of an edge's bridges, and of those to the next edge at its ends.
+/// Returns the edges that pass the bridges of a boundary edge, and the bridges to the next boundary edges at its ends.
 std::vector<PassingEdge> passingEdgesOf(Index edge, const BoundaryGaps& gaps, double tolerance,
                                         const SurfaceModel& model, PassageFinder& finder)
 {
@@ -73,7 +73,7 @@ std::vector<PassingEdge> passingEdgesOf(Index edge, const BoundaryGaps& gaps, do
   return found;
 }
 
-/// All boundary edges, by the leaf of their first station.
+/// Returns all boundary edges in the order of the leaves of their first stations.
 std::vector<Index> edgesInOrderOfLeaves(const BoundaryGaps& gaps, const Octree& octree)
 {
   std::vector<std::pair<Index, Index>> sorted;

@@ -27,8 +27,8 @@ struct PassingEdge
   }
 };
 
-/// Finds edges of the grid that nothing cuts and that pass bridges: exact as all crossings are, so that edges around a
-/// place agree. Bridges near the one before cost little. Not for several threads at once.
+/// Finds edges of the grid that nothing cuts and that pass bridges. Decisions are exact, as those of all crossings, so
+/// that edges around a place agree. Bridges near the one before cost little. Not for several threads at once.
 class PassageFinder
 {
 public:
@@ -59,9 +59,9 @@ private:
 void forBoundaryEdges(const BoundaryGaps& gaps, const Crossings& crossings, const GridPlaces& grid,
                       const RunContext& context, const std::function<void(Index, PassageFinder&)>& use);
 
-/// Closes gaps ahead of boundary edges that are no wider than `tolerance` times the octants there: edges of the grid
-/// that pass their bridges, and those between the bridges of edges that meet, are cut by the boundary edges' triangles.
-/// Both boundary edges of a crack have their bridge. Nothing is done at tolerance 0. The result does not depend on
+/// Closes gaps ahead of boundary edges that are no wider than `tolerance` times the octants there: the triangles of
+/// boundary edges then cut the grid edges that pass their bridges, or pass between the bridges of edges that meet. Both
+/// boundary edges of a crack have their bridge. Does nothing if `tolerance` is 0. The result does not depend on
 /// threads.
 Crossings closeCracks(Crossings crossings, const BoundaryGaps& gaps, const GridPlaces& grid, double tolerance,
                       const MeshingContext& context);

@@ -11,14 +11,14 @@ namespace atria {
 
 namespace {
 
-/// In octants: how far points left out of a line may be off it.
+/// Distance in octants by which points that are left out of a line may be off it.
 constexpr double straightness = 0.02;
-/// In octants: how near another crack is the same.
+/// Distance in octants within which two cracks are the same.
 constexpr double sameDistance = 0.3;
-/// In octants, half of a diagonal: how far the dual face of an edge that passes a gap reaches along it.
+/// Distance in octants, half of a diagonal, that the dual face of an edge that passes a gap reaches along it.
 constexpr double dualFaceReach = 0.87;
 
-/// A step along a boundary edge, of as many as the edge has, and the gap there.
+/// A step along a boundary edge, at a place among the edge's `count` steps, and the gap there.
 struct CrackStep
 {
   enum Kind : std::uint8_t
@@ -32,7 +32,7 @@ struct CrackStep
   Index edge = noIndex;
   Index place = 0;
   Index count = 1;
-  /// Half way across the gap.
+  /// Ends of the step, moved halfway across the gap.
   Vec3 begin = Vec3::Zero();
   Vec3 end = Vec3::Zero();
   double width = 0.0;
@@ -52,7 +52,7 @@ public:
   {
   }
 
-  /// Steps of an edge that are gaps, from a to b.
+  /// Returns the steps of an edge that are gaps, from a to b.
   std::vector<CrackStep> stepsOf(Index edge, PassageFinder& passages) const
   {
     const auto count = static_cast<Index>(std::max<std::size_t>(gaps.stations[edge].size(), 1) - 1);
@@ -119,7 +119,7 @@ private:
   const GridFrame& frame;
 };
 
-/// Opens closed steps so near to an open one that the same dual face covers them.
+/// Opens closed steps that are so near to an open one that the same dual face covers them.
 void spreadOpenness(std::vector<CrackStep>& steps, bool isRing)
 {
   std::vector<char> isNear(steps.size(), 0);
@@ -158,7 +158,7 @@ struct LongCrack
   }
 };
 
-/// The cracks along a run of boundary edges.
+/// Adds the cracks along a run of boundary edges.
 void addCracks(const BoundaryEdges::Run& run, const std::vector<std::vector<CrackStep>>& stepsOfEdge,
                std::vector<LongCrack>& cracks)
 {
@@ -327,7 +327,7 @@ std::vector<Crack> findCracks(const BoundaryGaps& gaps, const Zones& zones, cons
   std::vector<CrackStep> steps = findSteps(gaps, StepFinder(gaps, zones, kept, grid, part), crossings, grid, context);
   std::vector<Index> points(steps.size());
   std::ranges::transform(steps, points.begin(), &CrackStep::point);
-  // Until the owner of its point is asked, a step is known by its number among those of all processes.
+  // A step has its number among those of all processes in place of its point, until the point's owner sets it.
   const auto first = static_cast<Index>(countBefore(steps.size(), part.exchange()).before);
   for (Index i = 0; i < steps.size(); ++i)
   {

@@ -21,13 +21,13 @@ struct Crack
   bool open;
 };
 
-/// Lists the gaps of a model's boundary edges in zones that are kept. One is open where an uncut octree edge passes its
-/// bridge, also so near along the boundary edge that the edge's dual face reaches there.
+/// Lists the gaps of a model's boundary edges in zones that are kept. A gap is open where an uncut octree edge passes
+/// its bridge, and as far along the boundary edge as that edge's dual face reaches.
 ///
-/// A gap that faces across the boundary edge, as between sheets that lap, is not searched. Steps that follow each
-/// other, over the points of the boundary edges too, are one crack. A crack that both of its boundary edges show is
-/// reported once. Closed cracks come first, and long ones. The result does not depend on threads. Every process gets
-/// all cracks. \param kept  One entry per zone, and one more for the points that a process does not know.
+/// Gaps that face across the boundary edge, as between sheets that lap, are not found. Consecutive steps are one crack,
+/// also across points of boundary edges. A crack between two boundary edges is reported once. Closed cracks come before
+/// open ones, and long ones before short ones. The result does not depend on threads. Every process gets all cracks.
+/// \param kept  One entry per zone, and one more for the points that a process does not know.
 std::vector<Crack> findCracks(const BoundaryGaps& gaps, const Zones& zones, const std::vector<char>& kept,
                               const Crossings& crossings, const GridPlaces& grid, const GridPart& part,
                               const MeshingContext& context);

@@ -23,7 +23,7 @@ public:
   {
   }
 
-  /// The face of an open side that a point reaches, or null.
+  /// Returns the face of an open side, other than the bottom, that a point reaches, or null.
   const BoundaryFace* exitAt(Index point) const
   {
     for (const std::uint8_t direction : {zMax, xMin, xMax, yMin, yMax})
@@ -41,10 +41,10 @@ public:
     return nullptr;
   }
 
-  /// The number of the side that a face is on.
+  /// Returns the number of the side that a face is on.
   Index sideOf(const BoundaryFace& face) const { return face.tag - static_cast<Index>(surfaceCount); }
 
-  /// Widest edges first (Prim 1957): on the tree that grows so, every way is the widest between its ends.
+  /// Returns the widest way to an open side. All ways on a tree that grows by its widest edges are widest (Prim 1957).
   std::vector<Index> widest(Index from)
   {
     struct Step
@@ -84,8 +84,8 @@ public:
     return {};
   }
 
-  /// The shortest way from `from` to `to`, or to an open side if `to` is noIndex, with at least `least` clearance and
-  /// none of the points in `closed`; empty if there is none.
+  /// Returns the shortest way from `from` to `to`, or to an open side if `to` is noIndex, with at least `least`
+  /// clearance and none of the points in `closed`; empty if there is none.
   std::vector<Index> shortest(Index from, Index to, double least, const std::set<Index>& closed)
   {
     std::fill(parents.begin(), parents.end(), noIndex);
@@ -208,8 +208,8 @@ double leastOf(const std::vector<Clearance::OfEdge>& edges, std::size_t begin, s
   return least;
 }
 
-/// The widest way keeps to the middle of every space it passes. On either side of the neck the shortest way that is as
-/// wide takes its place.
+/// Returns a way with, on either side of the neck, the shortest way that is as wide as the given one. The widest way
+/// keeps to the middle of every space it passes.
 std::vector<Index> shorten(const std::vector<Index>& way, const std::vector<Clearance::OfEdge>& edges, std::size_t neck,
                            WayFinder& finder)
 {
@@ -228,7 +228,7 @@ std::vector<Index> shorten(const std::vector<Index>& way, const std::vector<Clea
   return out;
 }
 
-/// The place of the leak's side that is nearest to a point.
+/// Returns the place of the leak's side that is nearest to a point.
 Vec3 onSide(const Leak& leak, const Vec3& point, const GridFrame& frame)
 {
   Vec3 end = point;
@@ -252,7 +252,7 @@ void drawPath(Leak& leak, const Clearance& clearance, const GridFrame& frame)
   leak.path.push_back(onSide(leak, leak.path.back(), frame));
 }
 
-/// Edge length of the finest leaf around a point.
+/// Returns the edge length of the finest leaf around a point.
 double sizeAt(Index point, const Octree& octree, const GridPoints& points)
 {
   double size = octree.frame().rootSize();

@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// How often the two sides of a piece were seen beside each view.
+/// Number of votes for each view, for the two sides of a piece.
 using Votes = std::array<std::array<std::uint32_t, viewCount>, 2>;
 
 int sideIndex(SheetSide side) { return side == SheetSide::front ? 0 : 1; }
@@ -65,7 +65,7 @@ private:
     }
   }
 
-  /// Triangles on sides of the domain are no obstacle: the faces they name decide.
+  /// Adds votes for triangles on sides of the domain, which cut no edges: faces with their tags decide.
   void voteOfSides()
   {
     EdgeProbe probe(grid.octree(), model);
@@ -111,7 +111,7 @@ private:
     }
   }
 
-  /// Between two cuts that follow each other there is one space.
+  /// Adds votes for sides between two consecutive cuts of an edge, which see one space.
   void voteOfNeighbors(const CrossedEdge& edge)
   {
     const SurfaceCrossing* before = nullptr;
@@ -140,7 +140,7 @@ private:
 
   View viewOf(Index triangle, SheetSide side) const { return views[pieceOf[triangle]][sideIndex(side)]; }
 
-  /// Gives sides without a view that of most votes, of equally many the first. Returns whether there was any.
+  /// Gives sides without a view the first one with most votes. Returns true if any side got one.
   bool decide()
   {
     votes = addAll(part.exchange(), std::move(votes), [](const Votes& more, Votes& sum) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Finds what each side of the model's triangles sees: air that is meshed, or what is not.
+/// Finds what each side of the model's triangles sees: air that is meshed, or another kind of space.
 #pragma once
 
 #include "Dual/Zones/ZoneSummary.h"
@@ -25,8 +25,8 @@ using TriangleViews = std::array<View, 2>;
 /// Returns the view that triangles have of each zone beside them.
 std::vector<View> viewsOfZones(const std::vector<ZoneSummary>& zones);
 
-/// Returns, by triangle, the number of the piece of the model that it belongs to, and sets their count. Triangles of a
-/// piece are joined across edges that no third one has, and are wound alike.
+/// Returns one entry per triangle: the number of the piece of the model that it belongs to. Sets the count of pieces.
+/// Triangles of a piece are joined across edges that no third one has, and are wound alike.
 std::vector<Index> piecesBetweenEdges(const SurfaceModel& model, Index& count, const Executor& executor);
 
 /// Returns the view of a grid point's zone; `nothing` beyond the domain.
@@ -48,9 +48,9 @@ std::vector<TriangleViews> findModelViews(const Crossings& crossings, const Grid
                                           const std::vector<View>& ofZone, const SurfaceModel& model,
                                           const GridPart& part, const RunContext& context);
 
-/// Returns, by triangle, the part of the edges of the grid through it that see air: 1 where nearly all of them do, or
-/// where too few of them cut it to decide. In the rest air is behind another surface that is nearer than the next point
-/// of the grid, as between walls with a thin gap.
+/// Returns one entry per triangle: the part of the grid edges through it that see air. It is 1 if nearly all of them
+/// do, or if too few edges cut it to decide. From the rest of a triangle, air is behind another surface that is nearer
+/// than the next point of the grid, as between walls with a thin gap.
 std::vector<float> findAirParts(const Crossings& crossings, const Zones& zones, const std::vector<View>& ofZone,
                                 const SurfaceModel& model, const GridPart& part, const RunContext& context);
 

@@ -12,12 +12,12 @@ namespace atria {
 
 namespace {
 
-/// Facts about a part that face zones divide zones into, or about some points of it.
+/// Facts about one of the parts into which face zones divide zones, or about some points of it.
 struct RoomPart
 {
   std::size_t size = 0;
   bool isWide = false;    ///< has a point that is not at the border
-  bool isOutside = false; ///< reaches a bare side of the domain but the bottom
+  bool isOutside = false; ///< reaches a bare side of the domain other than the bottom
   bool isInRoom = false;  ///< is kept, and not the inside of a solid
 
   void add(const RoomPart& other)
@@ -38,13 +38,13 @@ struct PartedRooms
   std::vector<std::int32_t> ofPart;
   std::size_t count = 0;
   bool hasOutside = false;
-  /// Parts that are no rooms of their own and those they were joined with, either way; sorted.
+  /// Pairs of a part that is no room of its own and the part it was joined with, in both orders; sorted.
   std::vector<std::pair<Index, Index>> narrow;
 };
 
 constexpr std::uint8_t bitOf(int direction) { return static_cast<std::uint8_t>(1u << direction); }
 
-/// Grid points as face zones part them.
+/// Grid points, divided by face zones.
 class PartedPoints
 {
 public:
@@ -63,7 +63,7 @@ public:
     }
   }
 
-  /// The neighbor in a direction, if nothing is between; noIndex otherwise.
+  /// Returns the neighbor in a direction, if nothing is between; noIndex otherwise.
   Index nextTo(Index point, int direction) const
   {
     const std::int32_t code = crossings.neighbors[point][direction];
@@ -95,7 +95,7 @@ public:
     return parts;
   }
 
-  /// Counts the faces between parts that belong to own points. `partOf` is by grid point.
+  /// Counts the faces between parts that belong to own points. `partOf` has one entry per grid point.
   PartBorders borders(const IndexRange& own, const std::vector<std::int32_t>& partOf) const
   {
     PartBorders borders;
@@ -202,7 +202,7 @@ private:
     }
   }
 
-  /// Joins those that are not wide to the ones beside them.
+  /// Joins parts that are not wide to the parts with which they have most faces in common.
   void joinNarrow(const PartBorders& borders)
   {
     PartBorders shared;
@@ -218,7 +218,7 @@ private:
       for (; at != shared.end() && at->first.first == part; ++at)
       {
         const Index other = at->first.second;
-        // Narrow ones take each other in the order of their numbers, so that no two wait for each other.
+        // A narrow part joins only narrow parts with lower numbers, so that no two wait for each other.
         const bool takes = other != part && (parts[other].isWide || other < part);
         most = takes && at->second > most.first ? std::pair(at->second, other) : most;
       }
@@ -246,7 +246,7 @@ Rooms roomsOf(const PartedRooms& rooms, const std::vector<std::int32_t>& partOf,
   std::ranges::transform(partOf, out.ofPoint.begin(), [&](std::int32_t part) {
     return static_cast<std::size_t>(part) < rooms.ofPart.size() ? rooms.ofPart[static_cast<std::size_t>(part)] : noRoom;
   });
-  // Openings that lead to a narrow part of a room.
+  // Removes openings that lead to a narrow part of a room.
   std::erase_if(zoneFaces, [&](const ZoneFace& face) {
     const auto other = static_cast<Index>(crossings.neighbors[face.element][face.direction]);
     const std::pair sides{static_cast<Index>(partOf[face.element]), static_cast<Index>(partOf[other])};

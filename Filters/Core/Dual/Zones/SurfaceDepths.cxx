@@ -69,7 +69,7 @@ OpenEdges findOpenEdges(const Crossings& crossings, const SurfaceModel& model)
   return surfaces;
 }
 
-/// The point at the other end of an edge, whatever is between.
+/// Returns the point at the other end of an edge, whatever is between.
 Index across(const Crossings& crossings, Index point, int direction)
 {
   const std::int32_t code = crossings.neighbors[point][direction];
@@ -78,7 +78,7 @@ Index across(const Crossings& crossings, Index point, int direction)
                                       : noIndex;
 }
 
-/// How often an edge, given by point and direction, crosses a surface along its normal, less how often against it.
+/// Number of crossings of an edge, given by point and direction, along a surface's normal, minus those against it.
 using Senses = std::map<std::pair<Index, std::uint8_t>, int>;
 
 Senses sensesOf(Index surface, const std::vector<Index>& edges, const Crossings& crossings, const SurfaceModel& model)
@@ -109,7 +109,7 @@ bool add(const DepthPart& other, int more, DepthPart& part)
   return agree;
 }
 
-/// Follows edges from point to point, and begins another part behind those that cross other surfaces.
+/// Follows edges from point to point, and starts another part behind edges that cross other surfaces.
 class Flood
 {
 public:
@@ -138,7 +138,7 @@ public:
       {
         if (const Index other = across(crossings, at.point, direction); other != noIndex)
         {
-          // Along the normal the way leads out.
+          // A way along the normal leads out.
           const auto sense = senses.find({at.point, direction});
           meet({other, part, at.depth - (sense == senses.end() ? 0 : sense->second)}, isSure(at.point, direction));
         }
@@ -220,12 +220,12 @@ private:
   const GridPlaces& grid;
   Index firstPoint;
   Index endPoint;
-  std::unordered_map<Index, Index> places; ///< in the list of points, of those met
-  std::vector<PointDepth> behindOthers;    ///< in the row, as seen from a part
+  std::unordered_map<Index, Index> places; ///< places of points in the list of points
+  std::vector<PointDepth> behindOthers;    ///< points in the row behind other surfaces, as seen from a part
   SurfaceDepths out;
 };
 
-/// Parts that sure links join, which have one depth outside.
+/// Groups of parts that sure links join. The parts of a group have one depth outside.
 class JoinedParts
 {
 public:
@@ -234,7 +234,7 @@ public:
   {
   }
 
-  /// False where ways lead to different depths.
+  /// Joins the parts. Returns false if ways lead to different depths.
   bool join()
   {
     std::vector<std::vector<std::pair<Index, int>>> beside(parts.size());
@@ -296,8 +296,8 @@ private:
     return agree;
   }
 
-  /// Gives groups without a depth outside the least one beyond other surfaces. More are known each time; returns true
-  /// if some were added.
+  /// Gives groups without a depth outside the least one beyond other surfaces. Returns true if some got one; others may
+  /// then follow.
   bool settleMore(std::vector<int>& outside) const
   {
     std::vector<int> next = outside;

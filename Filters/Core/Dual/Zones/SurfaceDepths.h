@@ -12,8 +12,8 @@
 
 namespace atria {
 
-/// Grid points within the bounds of a surface, joined by edges that cross no other surface. If two surfaces coincide
-/// the faces are one's alone, so edges across another surface may cross this one, too, unseen. A depth is how often the
+/// Grid points within the bounds of a surface, joined by edges that cross no other surface. If two surfaces coincide,
+/// only one of them has faces, so edges across another surface may cross this one unseen. A depth is how often the
 /// surface lies around a point, counted from one of the points.
 struct DepthPart
 {
@@ -45,31 +45,31 @@ struct PointDepth
   int depth;
 };
 
-/// A point of another row as seen from a part.
+/// A point outside the row, as seen from a part.
 struct DepthJoint
 {
   PointDepth seen;
   bool isSure; ///< as in DepthLink
 };
 
-/// Depths around one surface, from points in a row.
+/// Depths around one surface, for a row of consecutive points.
 struct SurfaceDepths
 {
   std::vector<DepthPart> parts;
-  /// Points within the bounds, sorted: all that edges lead to from where they cross the surface or leave the row.
+  /// Points within the bounds that edges lead to from where they cross the surface or leave the row; sorted.
   std::vector<PointDepth> points;
   /// Links between parts, across other surfaces.
   std::vector<DepthLink> links;
-  /// Points within the bounds, but not in the row, beside such points, with the depth they have from there.
+  /// Points within the bounds, but not in the row, beside such points, with their depth as seen from there.
   std::vector<DepthJoint> joints;
   bool isMet = false;   ///< an edge crosses the surface
   bool isClosed = true; ///< no two ways within a part lead to different depths
 };
 
-/// The permeable surface that cuts an edge which no wall cuts, by point and direction; noIndex if several do.
+/// The permeable surface that cuts an edge that no wall cuts, by point and direction; noIndex if several do.
 using OpenEdges = std::unordered_map<std::uint64_t, Index>;
 
-/// Finds the depths around surfaces that are cell zones, from points in a row.
+/// Finds the depths around surfaces that are cell zones, for the points [first, end).
 class DepthFinder
 {
 public:
@@ -91,9 +91,9 @@ private:
   std::vector<Index> atEnds;
 };
 
-/// Returns per part the depth of what is not enclosed: the depth beyond the bounds. A part that does not lead there has
-/// the least depth beyond other surfaces, or else of its own points. Returns nullopt if the parts contradict each
-/// other.
+/// Returns one entry per part: the depth of what is not enclosed, which is the depth beyond the bounds. A part that
+/// does not lead there has the least depth beyond other surfaces, or else of its own points. Returns nullopt if the
+/// parts contradict each other.
 std::optional<std::vector<int>> depthsOutside(const std::vector<DepthPart>& parts, const std::vector<DepthLink>& links);
 
 } // namespace atria

@@ -22,8 +22,8 @@ bool isHidden(const TriangleViews& views)
   return std::ranges::all_of(views, [](View view) { return view == View::solid || view == View::ground; });
 }
 
-/// Sides that no edge of the grid sees, such as the insides of beams thinner than an octant: closed bodies decide, or
-/// rays.
+/// Gives views to sides that no edge of the grid sees, such as the insides of beams thinner than an octant. Closed
+/// bodies decide, or else rays.
 class UnseenSides
 {
 public:
@@ -34,8 +34,8 @@ public:
   {
   }
 
-  /// Gives them the view of the space that rays find before them: that of any other side of it, or the inside of a
-  /// solid where all of its walls are in one. Spaces that rays leave, or that air is in, stay unseen.
+  /// Gives sides the view of the space that rays find before them: that of any other side of it, or the inside of a
+  /// solid if all of its walls are in one. Spaces that rays leave, or with air in them, stay unseen.
   void run()
   {
     findLargest();
@@ -118,7 +118,7 @@ private:
 
   Vec3 aheadOf(Index side) const { return (side % 2 == 0 ? 1.0 : -1.0) * model.normal(largest[side / 2]).normalized(); }
 
-  /// Just before the middle of a piece's largest triangle, and no farther than half the way to what is next.
+  /// True if a place before the middle of a piece's largest triangle, at most halfway to the next one, is in a solid.
   bool isInSolid(Index side) const
   {
     constexpr double before = 0.05; // octants
@@ -145,8 +145,8 @@ private:
     }
   }
 
-  /// The sides that rays from the middle of a piece's largest triangle meet first; noIndex for a ray that meets none
-  /// within reach, or what is no wall.
+  /// Returns the sides that rays from the middle of a piece's largest triangle meet first; noIndex for a ray that meets
+  /// no wall within reach, or something else first.
   std::vector<Index> sidesBefore(Index side) const
   {
     const Index from = largest[side / 2];
@@ -206,7 +206,7 @@ private:
     }
   }
 
-  /// How far rays go, in octants at features: a space that no point of the grid is in is narrower.
+  /// Length of rays in octants at features. A space without a point of the grid is narrower.
   static constexpr double reach = 4.0;
 
   const SurfaceModel& model;
@@ -222,7 +222,7 @@ private:
   std::vector<Space> facts;   ///< indexed by the first side of a space
 };
 
-/// Takes back pieces that leave an edge with one triangle where there were several.
+/// Unmarks pieces whose removal would leave one triangle at an edge that has several.
 void keepEdgesClosed(const SurfaceModel& model, std::vector<char>& isUnreached, const Executor& executor)
 {
   Index count = 0;

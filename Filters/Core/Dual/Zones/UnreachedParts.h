@@ -19,23 +19,23 @@ struct UnreachedParts
   bool any() const { return !isUnreached.empty(); }
 };
 
-/// Finds the walls that see the inside of solids, or what is under the ground, on both of their sides. Sides that no
-/// edge of the grid sees, as the insides of thin beams, count as such inside of closed bodies; others are decided by
-/// rays.
+/// Finds the walls that see the inside of solids, or the space under the ground, on both of their sides. Sides that no
+/// edge of the grid sees, such as the insides of thin beams, see a solid if they are inside of closed bodies; rays
+/// decide about others.
 ///
 /// Walls of closed rooms are not among them, as a seed may request a room. Neither are triangles on sides of the
-/// domain, nor triangles whose removal leaves an edge of others open. Parameters are as of findModelViews(), but for:
+/// domain, nor triangles whose removal leaves an edge of others open. Parameters are as in findModelViews(), except:
 /// \param crossings  Those of the octree's own grid: moves of grid points open no way into solids.
 /// \param ofZone     Views of zones, see viewsOfZones().
 UnreachedParts findUnreachedParts(const Crossings& crossings, const GridPlaces& grid, const Zones& zones,
                                   const std::vector<View>& ofZone, const SolidPlaces& solids, const GridPart& part,
                                   const MeshingContext& context);
 
-/// A model without its unreached parts, the octree whose leaves hold it, and a tree to search it.
+/// A model without its unreached parts, the octree whose leaves hold its pieces, and a tree to search it.
 class ReachedModel
 {
 public:
-  /// Finds features anew: where a beam met a slab from within, the slab is one chart.
+  /// Finds features anew, so that a slab that a beam met from within is one chart.
   ReachedModel(const UnreachedParts& parts, const MeshingContext& context);
 
   MeshingContext in(const RunContext& run) const { return {run, octree_, model_, tree_}; }

@@ -9,7 +9,7 @@ namespace atria {
 
 namespace {
 
-/// A zone, and one of the whole.
+/// A zone, and a zone of the whole.
 using ZonePair = std::array<std::int32_t, 2>;
 using ZonePairs = std::map<ZonePair, std::size_t>;
 

@@ -12,13 +12,13 @@ namespace {
 constexpr SideBits bottom = SideBits{1} << zMin;
 constexpr SideBits top = SideBits{1} << zMax;
 
-/// How large rooms must be against the walls around them, by volume, to be kept instead of these. Furniture hardly ever
-/// fills half of a room without touching its sides; walls of a bunker may be larger than its rooms, but are recognized
-/// by their winding.
+/// Least volume of rooms, over that of the walls around them, with which rooms are kept instead of walls. Furniture
+/// hardly ever fills half of a room without touching its sides. Walls of a bunker may be larger than its rooms, but are
+/// recognized by their winding.
 constexpr double leastRooms = 1.0;
 constexpr double leastRoomsWound = 0.1;
 
-/// The part of faces that has to agree for the winding to count.
+/// The part of faces that must agree for the winding to count.
 constexpr double clearPart = 0.9;
 
 /// Rooms behind thick walls, as far as zones show them.

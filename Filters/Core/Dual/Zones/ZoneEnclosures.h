@@ -23,7 +23,7 @@ struct DrawnModel
 class ZoneEnclosures
 {
 public:
-  /// Without bodies nothing is enclosed.
+  /// Has no bodies, so that nothing is enclosed.
   ZoneEnclosures() = default;
   /// O(log triangles) for each zone.
   ZoneEnclosures(const ClosedBodies& bodies, const ZoneFacts& facts, const GridFrame& frame, const RunContext& context);
@@ -56,7 +56,7 @@ private:
 class SolidPlaces
 {
 public:
-  /// Nowhere.
+  /// Recognizes no place.
   SolidPlaces() = default;
   SolidPlaces(const ClosedBodies& bodies, std::vector<char> holdsAir, const Placement& placement)
       : bodies_(&bodies), holdsAir_(std::move(holdsAir)), placement_(placement)
@@ -74,9 +74,9 @@ private:
 
 /// Marks the zones to keep: those that the rule keeps, and in a turned domain only those inside it. `farthest` is from
 /// farthestFromSides, or empty. With ZoneRule::outside, the inside of a shell that touches the domain's sides is no air
-/// if rooms are behind it: if zones at the sides are within closed bodies, or see only backs, and if the rooms that
-/// they enclose are larger (or no smaller than a tenth, where all faces are wound so), rooms are kept instead. Throws
-/// Error where no zone is left.
+/// if rooms are behind it. So rooms are kept instead of zones at the sides if these are within closed bodies or see
+/// only backs, and if the rooms are no smaller than they are (no smaller than a tenth, if the winding agrees). Throws
+/// Error if no zone is left.
 std::vector<char> chooseZones(const Zones& zones, ZoneRule rule, const std::vector<std::int32_t>& seedZones,
                               const std::vector<double>& farthest, const ZoneFacts& facts,
                               const ZoneEnclosures& enclosures, const GridFrame& frame);

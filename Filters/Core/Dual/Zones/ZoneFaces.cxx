@@ -8,7 +8,7 @@ namespace atria {
 
 namespace {
 
-/// The same face, of the element at the back.
+/// Returns the same face, but of the element at the back.
 ZoneFace atBack(ZoneFace face, const DualMesh& mesh)
 {
   if (face.side == SheetSide::back)
@@ -20,7 +20,7 @@ ZoneFace atBack(ZoneFace face, const DualMesh& mesh)
   const ReducedFace wanted = faceOf(mesh.corners[face.element], face.direction);
   for (std::uint8_t direction = 0; direction < 6; ++direction)
   {
-    // Two elements may share two faces.
+    // Points are compared, as two elements may share two faces.
     const ReducedFace candidate = faceOf(mesh.corners[other], direction);
     if (mesh.neighbors[other][direction] == code &&
         std::is_permutation(wanted.points.begin(), wanted.points.begin() + wanted.count, candidate.points.begin(),

@@ -21,7 +21,7 @@ enum class ZoneRule : std::uint8_t
 
 struct RoomOptions
 {
-  /// The domain is a room or a building whose walls are its sides: there are no outdoors.
+  /// True if the domain is a room or a building whose walls are its sides, so that there are no outdoors.
   bool sidesAreWalls = false;
 };
 
@@ -31,12 +31,12 @@ struct ZoneOptions
   ZoneRule zoneRule = ZoneRule::outside;
   /// Along the model's axes.
   std::vector<Vec3> seeds;
-  /// Points in zones that should be closed: see findLeaks.
+  /// Points in zones that should be closed; see findLeaks.
   std::vector<Vec3> sealedSeeds;
   RoomOptions rooms = {};
 };
 
-/// Returns the seeds that the rule asks for.
+/// Returns the seeds, if the rule uses them.
 inline std::vector<Vec3> seedsOf(const ZoneOptions& options)
 {
   return options.zoneRule == ZoneRule::seeds ? options.seeds : std::vector<Vec3>();

@@ -16,21 +16,21 @@ enum class ZoneKind : std::uint8_t
   solid,  ///< the inside of a solid: of a closed body, or a zone that sees backs of surfaces, as far as known
   narrow, ///< closed, and all of its elements are at its border
   beyond, ///< behind the sides of a domain that does not stand along the grid
-  ground  ///< not kept, reaches the bottom and other sides, and most of its faces are on ground: it is under it
+  ground  ///< under the ground: not kept, reaches the bottom and other sides, and has most faces on ground
 };
 
 struct ZoneSummary
 {
   std::size_t elements = 0;
   bool kept = false;
-  /// The domain sides it reaches.
+  /// Domain sides that it reaches.
   SideBits sides = 0;
-  /// A point that, as a seed, means this zone; in a large octant, away from surfaces where the zone has such a place.
+  /// A point that means this zone if it is a seed; in a large octant, away from surfaces if the zone has such a place.
   Vec3 inside = Vec3::Zero();
   /// Surfaces on its border, those with most faces first.
   std::vector<Index> surfaces;
-  /// Volume of the octants, shared out among their corners, and so right to about half an octant at the border. Cubic
-  /// model units.
+  /// Volume of the octants, divided among their corners, in cubic model units; right to about half an octant at the
+  /// border.
   double volume = 0.0;
   ZoneKind kind = ZoneKind::open;
 };

@@ -17,7 +17,7 @@ bool isFree(const Octree& octree, const std::array<Index, 8>& leaves)
   return std::all_of(leaves.begin(), leaves.end(), [&](Index leaf) { return octree.items(leaf).empty(); });
 }
 
-/// A place near a grid point from which pointOfSeed finds that point again.
+/// Returns a place near a grid point from which pointOfSeed finds that point again.
 Vec3 placeAt(Index point, const GridPlaces& grid)
 {
   const Octree& octree = grid.octree();
@@ -28,8 +28,8 @@ Vec3 placeAt(Index point, const GridPlaces& grid)
     return at;
   }
   const std::array<Index, 8>& leaves = grid.points().leaves[point];
-  // Well inside an octant that has the point as its corner; nearer to the point where surfaces or the domain's sides
-  // pass.
+  // Tries places well inside octants that have the point as their corner, then places nearer to the point, for octants
+  // with surfaces or sides of the domain.
   for (const double part : {0.25, 1e-3})
   {
     for (unsigned slot = 0; slot < 8; ++slot)
@@ -54,7 +54,7 @@ struct RoomyPoint
   int finest;
 };
 
-/// Returns for each zone of the points in a row the point with the largest octants around it; else the first one.
+/// Returns, for each run of points [begin, end) of one zone, the first point with the largest octants around it.
 std::vector<RoomyPoint> roomiestOf(const Zones& zones, Index begin, Index end, const GridPlaces& grid)
 {
   const Octree& octree = grid.octree();
@@ -120,7 +120,7 @@ void findPlaces(const Zones& zones, const GridPlaces& grid, const GridPart& part
 
 using CountList = std::vector<ZoneFacts::Count>;
 
-/// Puts counts in order and adds up those of the same.
+/// Sorts counts, and adds up those of the same zone and thing.
 void addUp(CountList& list)
 {
   std::ranges::sort(list,
@@ -220,7 +220,7 @@ CountList cornersOf(const Zones& zones, const GridPlaces& grid, const GridPart& 
   return all;
 }
 
-/// \pre Both are of the same zone.
+/// Adds facts from another process about the same zone.
 void append(const ZoneFacts::Zone& more, ZoneFacts::Zone& zone)
 {
   if (more.hasPlace && (!zone.hasPlace || more.finest < zone.finest))
@@ -255,8 +255,8 @@ ZoneFacts joinFacts(ZoneFacts own, RankExchange& exchange)
   return all;
 }
 
-/// The part of the faces that a zone sees from the front up to which it is the inside of a solid, if no closed body
-/// decides: one of a house's walls may be a neighbor's, or wound the wrong way.
+/// Largest part of the faces that the inside of a solid sees from the front, if no closed body decides. One of a
+/// house's walls may be a neighbor's, or wound the wrong way.
 constexpr double fewFronts = 0.25;
 
 /// True if a zone that is closed is the inside of a solid. Fewer signs count for a kept zone.
@@ -309,7 +309,7 @@ std::vector<double> zoneVolumes(const ZoneFacts& facts, std::size_t zoneCount, c
   std::vector<double> volumes(zoneCount, 0.0);
   for (const ZoneFacts::Count& some : facts.corners)
   {
-    // Points that are no rank's own are in a zone more.
+    // Points of other ranks are in one more zone.
     if (static_cast<std::size_t>(some.zone) < zoneCount)
     {
       const double octant = std::pow(frame.sizeOf(static_cast<int>(some.of)), 3);

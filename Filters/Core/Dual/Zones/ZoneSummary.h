@@ -39,7 +39,7 @@ struct ZoneFacts
     bool hasPlace = false;
     int finest = std::numeric_limits<int>::max();
     Vec3 inside = Vec3::Zero();
-    /// True if an element has elements on all of its sides.
+    /// True if one of its elements has elements on all sides.
     bool isWide = false;
     /// True if it sees sides of a turned domain from outside.
     bool isBeyond = false;
@@ -58,27 +58,27 @@ struct ZoneFacts
   };
 
   std::vector<Zone> zones;
-  /// Faces of surfaces, in order.
+  /// Numbers of faces by zone and surface, in order.
   std::vector<Count> faces;
-  /// Corners of leaves of a level, in order.
+  /// Numbers of leaf corners by zone and level of the leaf, in order.
   std::vector<Count> corners;
 };
 
-/// Returns the facts about the zones of the whole grid. The result does not depend on threads. `isGround` is by
-/// surface; nothing is ground if it is empty. O(points + faces · log faces).
+/// Returns the facts about the zones of the whole grid. The result does not depend on threads. `isGround` has one entry
+/// per surface; nothing is ground if it is empty. O(points + faces · log faces).
 ZoneFacts findZoneFacts(const Zones& zones, const Crossings& crossings, const GridPlaces& grid,
                         std::size_t surfaceCount, const GridPart& part, const RunContext& context,
                         const std::vector<char>& isGround = {});
 
-/// Returns per zone the volume of the octants, shared out among their corners, in cubic model units.
+/// Returns one entry per zone: the volume of the octants, divided among their corners, in cubic model units.
 std::vector<double> zoneVolumes(const ZoneFacts& facts, std::size_t zoneCount, const GridFrame& frame);
 
-/// `enclosures` is by zone; nothing is enclosed where it is empty. `isGround` is as of findZoneFacts().
+/// Summarizes zones. `enclosures` has one entry per zone, or is empty. `isGround` is as in findZoneFacts().
 std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const ZoneFacts& facts,
                                         const std::vector<Enclosure>& enclosures, const std::vector<char>& isGround,
                                         const GridFrame& frame);
 
-/// Same for the whole grid.
+/// The same for the whole grid, without enclosures and ground.
 std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
                                         const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context);
 

@@ -60,7 +60,7 @@ std::vector<ZonePart> describe(const PointSets& sets, const Crossings& crossings
   return parts;
 }
 
-/// Keeps the zones that reach one of `sides`, by their bits in `reached`. Returns whether there are any.
+/// Keeps the zones that reach one of `sides`, by their bits in `reached`. Returns true if there are any.
 bool keepReaching(SideBits sides, const std::vector<SideBits>& reached, std::vector<char>& kept)
 {
   std::transform(reached.begin(), reached.end(), kept.begin(), [&](SideBits r) { return (r & sides) != 0 ? 1 : 0; });
@@ -78,14 +78,14 @@ void keepOutside(const Zones& zones, std::vector<char>& kept)
   }
 }
 
-/// `placed` is along the grid's axes.
+/// True if a place, along the grid's axes, is in the domain's box.
 bool isInDomain(const Vec3& placed, const GridFrame& frame)
 {
   return placed.allFinite() && (placed.array() >= frame.domain.min.array()).all() &&
          (placed.array() <= frame.domain.max.array()).all() && frame.inDomain(frame.toLattice(placed));
 }
 
-/// The grid points of a leaf and of those that touch it, by distance from p; only those inside a turned domain.
+/// Returns the grid points of a leaf and of leaves that touch it, by distance from p; of a turned domain, those inside.
 std::vector<std::pair<double, Index>> pointsAround(Index leaf, const Vec3& p, const GridPlaces& grid)
 {
   const Octree& octree = grid.octree();

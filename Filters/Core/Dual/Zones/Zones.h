@@ -9,14 +9,14 @@
 
 namespace atria {
 
-/// Zones of the whole grid: grid points joined across uncut edges. Zone 0 has the most points, and so on down; equal
-/// ones by first point.
+/// Zones of the whole grid: grid points joined across uncut edges. They are sorted by falling number of points, and
+/// equal ones by their first points.
 struct Zones
 {
-  /// Per grid point; count() where a process does not know it.
+  /// One entry per grid point: its zone; count() if this process does not know it.
   std::vector<std::int32_t> ofPoint;
   std::vector<std::size_t> sizes;
-  /// Per zone, the domain sides it reaches; and those it reaches where no surface lies on them.
+  /// One entry per zone: the domain sides that it reaches, and those that it reaches where no surface lies on them.
   std::vector<SideBits> sides;
   std::vector<SideBits> openSides;
 
@@ -25,19 +25,19 @@ struct Zones
 
 Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const GridPart& part, const RunContext& context);
 
-/// The grid point whose zone a seed means: the nearest one, where it stands in the displaced grid, that no surface
-/// hides from the seed, of those at the leaf it lies in and its neighbors; where all are hidden, the nearest corner of
-/// that leaf. Throws Error for a seed outside the domain; `kind` names it there, such as "seed".
+/// Returns the grid point whose zone a seed means: of the points of the seed's leaf and its neighbors, the nearest one,
+/// by displaced positions, that no surface hides from the seed. If all are hidden, it is the nearest corner of the
+/// leaf. Throws Error, which calls the seed `kind`, for a seed outside the domain or without a point.
 Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, const SurfaceModel& model);
 
 /// Marks the zones that a rule keeps, which may be none; `seedZones` are those that hold seeds. Throws Error if seeds
 /// are missing.
 std::vector<char> zonesByRule(const Zones& zones, ZoneRule rule, const std::vector<std::int32_t>& seedZones);
 
-/// Throws Error where no zone is kept.
+/// Throws Error if no zone is kept.
 void checkKept(const std::vector<char>& kept, ZoneRule rule);
 
-/// The zones that a rule keeps. Throws Error where no zone is left.
+/// Marks the zones that a rule keeps. Throws Error if no zone is left.
 std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<std::int32_t>& seedZones);
 
 /// Returns the zones that hold seeds. Throws as pointOfSeed().
