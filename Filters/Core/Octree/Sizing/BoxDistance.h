@@ -8,21 +8,21 @@
 
 namespace atria {
 
-/// How far the points of a box are from a triangle, in lattice units.
+/// Distances of the points of a box from a triangle, in lattice units.
 class TriangleDistance
 {
 public:
   TriangleDistance(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b, const LatticePoint& c);
 
-  /// Some point of the box is no farther than `distance`.
+  /// True if some point of the box is no farther than `distance`.
   bool anyWithin(double distance) const;
-  /// All points of the box are no farther than `distance`.
+  /// True if no point of the box is farther than `distance`.
   bool allWithin(double distance) const;
 
 private:
   double fromPoint(const Vec3& p) const;
   Vec3 boxCorner(unsigned which) const;
-  /// The nearest of box corners, triangle corners and pairs of edges; valid where box and triangle do not touch.
+  /// Returns the least distance of corners and pairs of edges; valid if box and triangle do not touch.
   double fromBoundary() const;
 
   LatticeBox box_;

@@ -10,11 +10,11 @@
 
 namespace atria {
 
-/// Memory at the peak of the whole of `atria mesh`, quality and files included: 630 to 740 bytes were measured at 0.3
+/// Memory at the peak of all that `atria mesh` does, quality and files included. 630 to 740 bytes were measured for 0.3
 /// to 2 million elements.
 inline constexpr std::size_t bytesPerElement = 700;
 
-/// Returns a count as readers expect it, 23400 or 1.2 million, and bytes as gigabytes.
+/// Return a count as text, such as 23400 or 1.2 million, and bytes as text in gigabytes.
 std::string inWords(double count);
 std::string inGigabytes(double bytes);
 

@@ -36,8 +36,8 @@ public:
   {
   }
 
-  /// New points that no refined octant before this one has: its center, and the middles of its faces and edges. Octants
-  /// around a point share it; the refined one with the lowest position (by z, y, x) counts it.
+  /// Returns the number of new points that no refined octant before this one has. New points are its center, and the
+  /// middles of its faces and edges. The refined octant with the lowest position (by z, y, x) counts a shared point.
   std::size_t pointsOf(MortonKey key) const
   {
     const GridCell cell = gridCell(key);

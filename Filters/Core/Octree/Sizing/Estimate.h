@@ -8,30 +8,30 @@
 
 namespace atria {
 
-/// Grid points inside the domain that refining the octants `refined` of `level` makes: those of level + 1 that are no
-/// grid points of `level`. Every grid point is one element if all zones are meshed. O(n log n).
+/// Returns the number of grid points inside the domain that refining the octants `refined` of `level` adds: those of
+/// level + 1 that are none of `level`. Every grid point is one element if all zones are meshed. O(n log n).
 std::size_t countNewPoints(const std::vector<MortonKey>& refined, int level, const GridFrame& frame,
                            const RunContext& context);
 
-/// Children of refined octants of `level` that share volume with the domain.
+/// Returns the number of children of refined octants of `level` that share volume with the domain.
 std::size_t childrenInDomain(std::span<const MortonKey> refined, int level, const GridFrame& frame,
                              const RunContext& context);
 
-/// Grid points inside the domain of the octree that balanced sets make.
+/// Returns the number of grid points, inside the domain, of the octree that balanced sets make.
 std::size_t countElements(const RefinedSets& refined, const GridFrame& frame, const RunContext& context);
 
 struct MeshEstimate
 {
-  /// Leaves per level that share volume with the domain.
+  /// Number of leaves that share volume with the domain, one entry per level.
   std::vector<std::size_t> octants;
   /// Exact if all zones are meshed; zones that are left out have no elements.
   std::size_t elements = 0;
-  /// Memory that meshing takes at its peak, roughly.
+  /// Approximate memory that meshing takes at its peak.
   std::size_t bytes = 0;
-  /// The elements do not fit the memory: all numbers are from a part of the octants, which are not balanced, so that
-  /// there are as many or more.
+  /// True if the elements do not fit the memory. All numbers are then lower bounds, from a part of the octants, which
+  /// are not balanced.
   bool isTooLarge = false;
-  /// See SizedOctants; or why they are refused.
+  /// Same as SizedOctants::warning; or the reason why the elements are refused.
   std::string warning;
 };
 

@@ -14,7 +14,7 @@ namespace {
 /// Largest angle between a ray and the normal of a triangle that is the other side of a gap.
 constexpr double facingAngle = std::numbers::pi / 6.0;
 
-/// The part of a triangle in a box (Sutherland and Hodgman 1974).
+/// Returns the part of a triangle in a box (Sutherland and Hodgman 1974).
 std::vector<Vec3> clipTriangle(const LatticeBox& box, const SurfaceModel& model, Index triangle)
 {
   std::vector<Vec3> polygon{toVector(model.corner(triangle, 0)), toVector(model.corner(triangle, 1)),
@@ -89,7 +89,7 @@ void GapSizer::findFrom(const LatticeBox& box, Index triangle, double sense, std
   std::ranges::for_each(polygon, probe);
   if (narrowest.triangle != noIndex)
   {
-    // A little short on all sides, so that octants which only touch the gap are none of it.
+    // The box is a little short on all sides, so that octants that only touch the gap do not count.
     const Vec3 along = narrowest.distance * direction;
     lines.push_back({bounds.center() + coincidentRatio * along, bounds.center() + (1.0 - coincidentRatio) * along,
                      0.5 * (1.0 - coincidentRatio) * bounds.size(),

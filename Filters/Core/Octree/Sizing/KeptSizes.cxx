@@ -12,7 +12,7 @@ namespace {
 int& levelOf(KeptSizes& sizes, OctantNeed need) { return sizes.levels[static_cast<std::size_t>(need)]; }
 int levelOf(const KeptSizes& sizes, OctantNeed need) { return sizes.levels[static_cast<std::size_t>(need)]; }
 
-/// The rules that request sizes away from surfaces, by the names of their properties.
+/// Returns the names of the properties that request sizes away from surfaces.
 std::string regionRules(const SizingOptions& options)
 {
   std::vector<std::string> names;
@@ -77,7 +77,7 @@ bool SizeSteps::lower(OctantNeed need, int end, int floor)
   const int next = std::min(level, end) - 1;
   if (next < floor)
   {
-    level = std::min(level, floor); // octants added later are given up, too, as later steps are taken
+    level = std::min(level, floor); // later steps are taken, so octants added later are given up, too
     return false;
   }
   level = next;

@@ -13,7 +13,7 @@ namespace atria {
 /// Octants are refined for each need down to a level of its own.
 struct KeptSizes
 {
-  /// One level per need.
+  /// One entry per need: the level down to which octants are refined for it.
   std::array<int, needCount> levels{};
   int cellsPerLevel = 1;
   /// Octants are refined down to this level, whatever their need.
@@ -29,7 +29,7 @@ struct KeptSizes
 /// Returns the sizes that the frame and the options request.
 KeptSizes requestedSizes(const GridFrame& frame, const ModelLevels& levels, const SizingOptions& options);
 
-/// The steps down from the requested sizes. Each gives up one level, or one layer of growth:
+/// Steps from the requested sizes to coarser ones. Each gives up one level, or one layer of growth:
 ///
 /// 1. in the open, as long as sides of the domain keep their faces (see narrowestSide);
 /// 2. layers of octants of each size (`cellsPerLevel`);
@@ -38,7 +38,7 @@ KeptSizes requestedSizes(const GridFrame& frame, const ModelLevels& levels, cons
 /// 5. at features;
 /// 6. in the open, down to the start level.
 ///
-/// A step leaves no octants that the step before it does not. So a higher limit gives no coarser octant anywhere.
+/// A step keeps only octants that the step before it keeps. So a higher limit gives no coarser octant anywhere.
 class SizeSteps
 {
 public:
@@ -47,8 +47,8 @@ public:
   const KeptSizes& kept() const { return kept_; }
   bool isReduced() const { return kept_ != requested_; }
 
-  /// Takes the next step that leaves out some of the existing octants, whose levels end at `ends` (one per need).
-  /// Returns false if there is none. `withGrowth`: fewer layers of each size leave out some, too.
+  /// Takes the next step that leaves out some of the existing octants, whose levels end at `ends` (one entry per need).
+  /// Returns false if there is none. With `withGrowth`, a step to fewer layers of each size counts as such.
   bool giveUpMore(const std::array<int, needCount>& ends, bool withGrowth);
 
   /// Returns a text that names the sizes kept instead of the requested ones.

@@ -11,7 +11,7 @@ namespace atria {
 
 namespace {
 
-/// Goes on from a part of a level's octants where there are many.
+/// Continues from only a part of a level's octants if there are many.
 class SampledSets final : public OctantSink
 {
 public:
@@ -55,7 +55,7 @@ private:
   double weight = 1.0;
 };
 
-/// Sources refine the same octants in part, so the larger numbers are sure, their sums are not.
+/// Takes the larger numbers of octants of each level. Sums would count octants twice that two sources refine.
 void takeLarger(OctantCounts& all, const OctantCounts& one)
 {
   for (std::size_t l = 0; l < one.refined.size(); ++l)

@@ -6,23 +6,23 @@
 
 namespace atria {
 
-/// Approximate numbers of octants before balancing. Indices are levels.
+/// Approximate numbers of octants before balancing, one entry per level.
 struct OctantCounts
 {
   std::vector<double> refined;
-  /// Children of these that share volume with the domain.
+  /// Children of refined octants that share volume with the domain.
   std::vector<double> children;
 
-  /// Leaves in the domain.
+  /// Returns the number of leaves of a level in the domain.
   double leavesAt(std::size_t level) const;
-  /// Leaves in the domain of the octree cut off at level `depth`.
+  /// Returns the number of leaves in the domain of the octree cut off at level `depth`.
   double leavesDownTo(std::size_t depth) const;
   double leaves() const { return leavesDownTo(refined.size()); }
 };
 
-/// Sizes octants as sizeOctants() does, but follows only some thousand, taken at random, of a level with more than some
-/// ten thousand octants. Their descendants stand for those of the others. Takes a second however many octants there
-/// are; the same input gives the same numbers. Octants that gaps and balancing add are not counted.
+/// Sizes octants as sizeOctants() does, but refines only a random sample of some thousand on levels with more than some
+/// ten thousand octants. Their descendants stand for those of the others. Takes about a second for any number of
+/// octants; the same input gives the same numbers. Octants that gaps and balancing add are not counted.
 OctantCounts sampleOctants(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options,
                            const RunContext& context);
 

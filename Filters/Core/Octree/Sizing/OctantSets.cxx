@@ -69,7 +69,7 @@ std::size_t OctantSets::pointsSoFar() const
   return points;
 }
 
-/// Leaves out octants that are not kept, and those whose parents are not. Returns true if there were any.
+/// Leaves out octants that are not kept, or whose parents are not. Returns true if there were any.
 bool OctantSets::prune(int level)
 {
   Level& target = levels[level];

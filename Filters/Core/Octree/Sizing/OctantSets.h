@@ -8,16 +8,16 @@ namespace atria {
 
 class ElementBudget;
 
-/// Grows by what sources add, level by level from the root; every source adds an octant only if it has added its
-/// parent.
+/// Collects the octants that sources add, level by level from the root. A source adds an octant only if it has added
+/// its parent.
 ///
-/// Refining only ever adds elements. So if the octants added so far already make too many, coarser sizes are taken at
-/// once, by the steps of SizeSteps. The order in which sources add does not change which octants are left out.
+/// Refining only adds elements. So if the octants added so far already make too many, coarser sizes are taken at once,
+/// by the steps of SizeSteps. The order in which sources add does not change which octants are left out.
 class OctantSets final : public OctantSink
 {
 public:
-  /// A `maxElements` of 0 in the options is no limit. `budget` is checked whatever is added. Keeps references to
-  /// options and budget.
+  /// A `maxElements` of 0 in the options is no limit. `budget` is checked each time octants are added. Keeps references
+  /// to options and budget.
   OctantSets(const GridFrame& frame, const KeptSizes& requested, const SizingOptions& options, ElementBudget& budget);
 
   const GridFrame& frame() const override { return frame_; }
@@ -27,11 +27,11 @@ public:
            const RunContext& context) override;
   bool goesOn(int /*level*/, MortonKey /*key*/) const override { return true; }
 
-  /// Balances the sets, and leaves out octants until the balanced sets keep to the limit. Throws Error if not even the
-  /// start level does, or the budget is exceeded. Returns the balanced sets.
+  /// Balances the sets, leaves out octants until the balanced sets keep to the limit, and returns them. Throws Error if
+  /// not even the start level keeps to it, or if the budget is exceeded.
   RefinedSets balanced(const RunContext& context);
 
-  /// Names the sizes taken instead of those requested; empty if all requested sizes were kept.
+  /// Returns a text that names the sizes taken instead of those requested; empty if all requested sizes were kept.
   std::string warning() const;
 
 private:

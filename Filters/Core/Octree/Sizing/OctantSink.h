@@ -18,7 +18,7 @@ enum class OctantNeed : std::uint8_t
 inline constexpr std::size_t needCount = 4;
 
 /// Receives octants from sources of sizes, level by level from the root. A source adds an octant only if it has added
-/// its parent, and the sink goes on from that.
+/// its parent, and the sink wants it to continue from that.
 class OctantSink
 {
 public:
@@ -27,13 +27,13 @@ public:
   virtual const GridFrame& frame() const = 0;
   /// True if octants of `level` may still be refined for `need`.
   virtual bool takes(int level, OctantNeed need) const = 0;
-  /// True if a source must say what it refines octants for.
+  /// True if a source must give the needs of octants.
   virtual bool isLimited() const = 0;
-  /// Adds octants of `level` to refine: `keys`, sorted, and the need of each. The needs may be anything if the sink is
-  /// not limited.
+  /// Adds octants of `level` to refine: sorted keys, and the need of each. Needs are ignored if the sink is not
+  /// limited.
   virtual void add(int level, const std::vector<MortonKey>& keys, const std::vector<OctantNeed>& needs,
                    const RunContext& context) = 0;
-  /// True if a source is to visit the children of an octant it has added, provided that the level takes its need.
+  /// True if a source should visit the children of an octant it has added, provided that the level takes its need.
   virtual bool goesOn(int level, MortonKey key) const = 0;
 };
 

@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// Leaves that lie one behind the other, and what they hold.
+/// Consecutive leaves, and what they hold.
 struct LeafLists
 {
   std::vector<Index> leaves;
@@ -67,7 +67,7 @@ private:
   std::vector<PieceDivider> dividers;
 };
 
-/// The children of a branch that hold something, or itself where it has none.
+/// Returns the children of a branch that hold something, or the branch itself if it is a leaf.
 std::vector<Branch> childrenOf(Branch branch, const Octree& octree, const SurfaceModel& model)
 {
   std::vector<Branch> children;
@@ -91,7 +91,7 @@ std::vector<Branch> childrenOf(Branch branch, const Octree& octree, const Surfac
   return children;
 }
 
-/// Some hundred parts of the octree that hold something, in order.
+/// Returns some hundred parts of the octree that hold something, in order.
 std::vector<Branch> branchesOf(const Octree& octree, const SurfaceModel& model, const RunContext& context)
 {
   constexpr std::size_t enough = 256;

@@ -6,9 +6,9 @@
 
 namespace atria {
 
-/// Builds the balanced octree of a model: in the domain every octant goes down to the top level, one with a surface to
-/// the mid level, one with a feature or with surfaces that do not meet inside it to the finest. Leaves know their
-/// pieces of the model. `sizing` adds further rules; see sizeOctants.
+/// Builds the balanced octree of a model. In the domain all octants are refined to the top level, octants with a
+/// surface to the mid level, and octants with a feature or with surfaces that do not meet inside them to the finest.
+/// Leaves know their pieces of the model. `sizing` adds further rules; see sizeOctants.
 Octree buildOctree(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& sizing,
                    const RunContext& context);
 

@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// How far an ask, which requests a size, fills an octant.
+/// Part of an octant that an ask fills. An ask is a box or a triangle's surroundings for which a size is requested.
 enum class Reach : std::uint8_t
 {
   none,
@@ -63,9 +63,9 @@ private:
   TriangleTreeOnDemand tree_;
 };
 
-/// Refines the octants that asks reach. `levelOf(ask)` is the level an ask goes down to, `reachOf(ask, box)` how far it
-/// fills an octant (cut to the domain); a child holds none of what its parent does not. Octants with triangles that
-/// `surfaces` finds are refined for these where the sink is limited; without, all are refined for a region.
+/// Refines the octants that asks reach. `levelOf(ask)` returns the level down to which an ask refines, and
+/// `reachOf(ask, box)` its reach in an octant, cut to the domain. If the sink is limited, octants with triangles that
+/// `surfaces` finds are refined for a surface; all others are refined for a region.
 template <typename LevelOf, typename ReachOf> class AskDescent
 {
 public:
@@ -139,7 +139,7 @@ private:
 
   AskLists childrenOf(const AskLists& parents, int level, const RunContext& context) const
   {
-    // Pieces of a fixed length, joined in order: the same lists whatever the threads do.
+    // Pieces have a fixed length and are joined in order, so that lists do not depend on threads.
     constexpr std::size_t grain = 128;
     std::vector<AskLists> parts((parents.keys.size() + grain - 1) / grain);
     context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
@@ -220,7 +220,7 @@ void sizeForBoxes(OctantSink& sets, const SurfaceModel& model, const SizingOptio
     {
       throw Error(which + " is empty: give bounds with min < max on every axis");
     }
-    // Far parts of a box do not fit the lattice.
+    // Parts of a box far outside of the domain do not fit the lattice.
     const Vec3 low = asked.bounds.min.cwiseMax(frame.domain.min);
     const Vec3 high = asked.bounds.max.cwiseMin(frame.domain.max);
     if (!((high - low).minCoeff() > 0.0))

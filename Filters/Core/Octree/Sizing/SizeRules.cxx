@@ -14,7 +14,7 @@ namespace atria {
 
 namespace {
 
-/// The levels that are the finest of their surfaces', for each feature edge.
+/// Returns one entry per feature edge: the finest level of its surfaces.
 std::vector<int> edgeLevels(const SurfaceModel& model, const std::vector<int>& featureOfSurface)
 {
   std::map<std::array<Index, 2>, std::size_t> edges;

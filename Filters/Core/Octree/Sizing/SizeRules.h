@@ -8,23 +8,23 @@
 
 namespace atria {
 
-/// Marks the surfaces for which a rule with this pattern asks a size. Throws Error if there are none.
+/// Marks the surfaces for which a rule with this pattern requests a size. Throws Error if there are none.
 std::vector<char> sizedSurfaces(const std::string& pattern, const std::vector<std::string>& names);
 
-/// Rules as text, the pattern in double quotes where it holds blanks. Throw Error that quotes the text.
+/// Convert rules from and to text, with the pattern in double quotes if it holds blanks. Throw Error that quotes it.
 SurfaceSize surfaceSizeFrom(const std::string& text);                 ///< PATTERN SIZE [FEATURESIZE]
 std::vector<DistanceSize> distanceSizesFrom(const std::string& text); ///< PATTERN DISTANCE SIZE [DISTANCE SIZE ...]
 std::string textOf(const SurfaceSize& rule);
 std::string textOf(const DistanceSize& rule);
 
-/// The level of the largest octants that are not above `size`.
+/// Returns the level of the largest octants that are not above `size`; the finest level if all are.
 int levelNotAbove(double size, const GridFrame& frame);
 
-/// Width of the narrowest side of a prism that is no box; else infinite. A side that is narrower than the diagonal of
+/// Returns the width of the narrowest side of a prism; infinite for a box. A side that is narrower than the diagonal of
 /// an octant's face may lie between elements and have no face.
 double narrowestSide(const PlacedPrism& domain);
 
-/// The level down to which each piece of the model refines the octants that hold it.
+/// Levels down to which pieces of the model refine the octants that hold them.
 struct ModelLevels
 {
   std::vector<int> ofSurface;        ///< one per surface, for octants it passes through
@@ -46,7 +46,7 @@ struct ModelLevels
   }
 };
 
-/// A curve or corner of several surfaces has the finest of their levels. O(n log n). Throws Error for bad rules.
+/// Returns the levels by the rules; curves and corners get the finest of their surfaces. O(n log n). May throw Error.
 ModelLevels modelLevels(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options);
 
 /// Marks the surfaces that sizing rules name. Throws Error for bad rules.

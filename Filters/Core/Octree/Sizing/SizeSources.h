@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Sources of octants to refine. Each walks down from the root by itself.
+/// Adds octants to refine, from several sources. Each walks down from the root by itself.
 #pragma once
 
 #include "Octree/Sizing/OctantSink.h"
@@ -19,8 +19,8 @@ struct GapLine
   int level;
 };
 
-/// Adds all octants down to the top level; below it those with pieces of the model, for sizes at surfaces and features,
-/// for curvature and for gaps. Returns the gaps found, sorted by the octants they were found in.
+/// Adds all octants down to the top level. Below it, adds octants with pieces of the model, for sizes at surfaces and
+/// features, for curvature and for gaps. Returns the gaps, sorted by the octants in which they were found.
 std::vector<GapLine> sizeForModel(OctantSink& sets, const SurfaceModel& model, const ModelLevels& levels,
                                   const SizingOptions& options, const RunContext& context);
 

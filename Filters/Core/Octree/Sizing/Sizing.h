@@ -14,17 +14,17 @@ namespace atria {
 /// Result of sizeOctants.
 struct SizedOctants
 {
-  /// Balanced.
+  /// Balanced sets.
   RefinedSets refined;
-  /// Names the sizes taken to keep to `maxElements`; empty if all requested sizes were kept.
+  /// Text that names the sizes taken to keep to `maxElements`; empty if all requested sizes were kept.
   std::string warning;
 };
 
-/// Sizes octants and balances them. Below the top level, an octant is refined for what it holds of the model, for boxes
+/// Sizes octants and balances them. Below the top level, an octant is refined for its pieces of the model, for boxes
 /// and distances, for curvature and gaps (see docs/algorithm.md). `frame` must have been made with
-/// finestSizeOf(options). Throws Error for sizes that are not positive, patterns without a surface (naming those there
-/// are), boxes outside of the domain, or where not even the start level keeps to `maxElements`; TooManyElements (see
-/// ElementBudget.h) where the elements do not fit `memoryLimit`.
+/// finestSizeOf(options). Throws Error for sizes that are not positive, patterns that match no surface (naming all
+/// surfaces), boxes outside of the domain, or if not even the start level keeps to `maxElements`. Throws
+/// TooManyElements (see ElementBudget.h) if the elements do not fit `memoryLimit`.
 SizedOctants sizeOctants(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options,
                          const RunContext& context);
 

@@ -17,8 +17,8 @@ struct SurfaceSize
   std::string pattern;
   /// Octants that touch the surface are at most this large.
   double size = 1.0;
-  /// Octants at its feature curves and corners, and where it comes close to other surfaces, are at most this large.
-  /// Without: SizeMin, or `size` where that is finer.
+  /// Octants at its feature curves and corners, and where it comes close to other surfaces, are at most this large. If
+  /// not set: SizeMin, or `size` if that is finer.
   std::optional<double> featureSize;
 };
 
@@ -47,11 +47,11 @@ struct SizingOptions
   std::vector<SurfaceSize> surfaceSizes;
   std::vector<RefinementBox> boxes;
   std::vector<DistanceSize> distanceSizes;
-  /// Degrees, at most 90, by which the normals of one smooth piece may differ in an octant before it is refined, down
-  /// to the size of its surface's features at most; 0 turns this off.
+  /// Degrees, at most 90, by which the normals of one smooth piece may differ in an octant. Octants with more are
+  /// refined, but not below the size of the surface's features; 0 turns this off.
   double curvatureAngle = 0.0;
-  /// Octants across the space between surfaces that face each other, down to the size of their features at most; 0
-  /// turns this off.
+  /// Number of octants across the space between surfaces that face each other. They are not refined below the size of
+  /// the surfaces' features; 0 turns this off.
   int cellsAcrossGap = 0;
   /// Layers of octants of each size between the next finer and the next coarser ones; 1 is the 2:1 balance alone.
   int cellsPerLevel = 1;
@@ -62,7 +62,7 @@ struct SizingOptions
   std::size_t memoryLimit = 0;
 };
 
-/// The smallest size any rule requests; infinity without rules.
+/// Returns the smallest size that any rule requests; infinity without rules. Throws Error for sizes not above 0.
 double finestSizeOf(const SizingOptions& options);
 
 } // namespace atria

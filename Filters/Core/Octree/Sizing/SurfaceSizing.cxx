@@ -23,7 +23,7 @@ struct Decision
 bool differ(std::span<const Vec3> normals, double angle)
 {
   const double minimumCosine = std::cos(angle);
-  // Within half the angle of one axis no two differ by more: this settles most octants without looking at pairs.
+  // No two normals within half the angle of one axis differ by more, which settles most octants without pairs.
   Vec3 axis = Vec3::Zero();
   for (const Vec3& n : normals)
   {
@@ -107,7 +107,7 @@ private:
     });
   }
 
-  /// A curve, a corner or several surfaces request finer octants.
+  /// True if a curve, a corner or several surfaces request finer octants.
   bool hasFeature(const LatticeBox& box, std::span<const ModelItem> pieces, int level) const
   {
     int finest = 0;
@@ -126,7 +126,7 @@ private:
     return level < finest && severalSurfaces(box, pieces, model_);
   }
 
-  /// Normals of one smooth piece differ by more than the curvature angle.
+  /// True if normals of one smooth piece differ by more than the curvature angle.
   bool turns(std::span<const ModelItem> pieces, int level) const
   {
     if (curvature <= 0.0)

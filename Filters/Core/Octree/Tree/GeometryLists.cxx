@@ -25,8 +25,8 @@ bool touchesPiece(const LatticeBox& box, ModelItem piece, const SurfaceModel& mo
   }
 }
 
-/// Returns which box of an octant's children holds the triangle off its faces, as is the case for most small ones; 8 if
-/// none does.
+/// Returns the child of an octant whose box holds the triangle off its faces, as it does for most small ones; 8 if
+/// there is none.
 unsigned childThatHolds(const std::array<LatticeBox, 8>& boxes, const LatticePoint& a, const LatticePoint& b,
                         const LatticePoint& c)
 {
@@ -46,7 +46,7 @@ unsigned childThatHolds(const std::array<LatticeBox, 8>& boxes, const LatticePoi
   return holds ? k : 8;
 }
 
-/// Bits of the boxes of an octant's children that a piece touches. Empty boxes are touched by none.
+/// Returns the bits of the boxes of an octant's children that a piece touches. Nothing touches empty boxes.
 unsigned childrenTouched(const std::array<LatticeBox, 8>& boxes, ModelItem piece, const SurfaceModel& model)
 {
   unsigned bits = 0;
@@ -87,10 +87,10 @@ class FirstAtPoints
 public:
   explicit FirstAtPoints(std::size_t most) : slots(std::bit_ceil(2 * most), {noIndex, 0}) {}
 
-  /// The triangle, if none was there before.
+  /// Returns the first triangle at the point: the given one if there was none before.
   Index insert(Index point, Index triangle)
   {
-    // Neighbors in numbers lie apart (Fibonacci hashing).
+    // Separates neighboring numbers (Fibonacci hashing).
     constexpr std::uint64_t golden = 0x9E3779B97F4A7C15;
     std::size_t at = (point * golden) >> 32 & (slots.size() - 1);
     while (slots[at].first != noIndex && slots[at].first != point)
@@ -151,8 +151,8 @@ bool areSeveral(const LatticeBox& box, std::span<Index> triangles, const Surface
   return reached != triangles.end();
 }
 
-/// Same for many triangles: connects them at points in the box, and at the few edges that may pass it without a point
-/// in it, which it sorts.
+/// The same for many triangles. Connects them at points in the box, and at the few edges that may pass through it
+/// without a point in it, which it sorts.
 bool areSeveralOfMany(const LatticeBox& box, std::span<const Index> triangles, const SurfaceModel& model)
 {
   UnionFind sets(triangles.size());
@@ -345,7 +345,7 @@ GeometryLists sizingLists(const SurfaceModel& model, const GridFrame& frame)
 GeometryLists childLists(const GeometryLists& parents, int level, const std::vector<char>& chosen, bool onlyOccupied,
                          const SurfaceModel& model, const GridFrame& frame, const RunContext& context)
 {
-  // Pieces of a fixed length, joined in order: the same lists whatever the threads do.
+  // Pieces have a fixed length and are joined in order, so that lists do not depend on threads.
   constexpr std::size_t grain = 16;
   std::vector<GeometryLists> parts((parents.size() + grain - 1) / grain);
   context.executor.forEach(parts.size(), 1, [&](std::size_t part) {

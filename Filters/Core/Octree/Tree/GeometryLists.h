@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The pieces of the model octants hold, handed down from parents to children.
+/// Hands the pieces of the model that octants hold down from parents to children.
 #pragma once
 
 #include "Octree/Tree/Octree.h"
@@ -25,7 +25,7 @@ struct GeometryLists
   void append(const GeometryLists& other);
 };
 
-/// The octant `key` of `level`, cut to the domain; empty where they do not overlap.
+/// Returns the octant `key` of `level`, cut to the domain; empty if they share no volume.
 LatticeBox domainBoxOf(const GridFrame& frame, int level, MortonKey key);
 
 /// Hands the pieces of octants to their children, one octant at a time.
@@ -34,8 +34,8 @@ class PieceDivider
 public:
   PieceDivider(const SurfaceModel& model, const GridFrame& frame) : model_(model), frame_(frame) {}
 
-  /// Calls use(k, box, pieces) for each child within the domain of an octant of `level` that has `pieces`, which must
-  /// not be those of a call of the same divider; the child's are good until the next one.
+  /// Calls use(k, box, pieces) for each child, in the domain, of an octant of `level` that has `pieces`. These must not
+  /// be pieces that the same divider has passed to `use`, which are valid until the next child.
   template <typename Use> void divide(int level, MortonKey key, std::span<const ModelItem> pieces, Use&& use)
   {
     find(level, key, pieces);
@@ -55,24 +55,24 @@ private:
   const SurfaceModel& model_;
   const GridFrame& frame_;
   std::array<LatticeBox, 8> boxes_{};
-  /// For each piece bits of the boxes it touches.
+  /// One entry per piece: bits of the boxes that it touches.
   std::vector<std::uint8_t> touched_;
   std::vector<ModelItem> taken_;
 };
 
-/// The whole model for the root, as far as the domain sees it.
+/// Returns the root, with all pieces of the model that touch the domain.
 GeometryLists rootLists(const SurfaceModel& model, const GridFrame& frame);
 
-/// The same, without the sides of a turned domain and what meets on them: the sides of a domain request no small
+/// The same, without the sides of a turned domain and the features on them, as sides of a domain request no small
 /// octants.
 GeometryLists sizingLists(const SurfaceModel& model, const GridFrame& frame);
 
-/// The children (level + 1) of the octants of `parents` chosen by `chosen`; each inherits what touches it. Children
-/// outside the domain are left out; so are, if `onlyOccupied`, those that inherit nothing.
+/// Returns the children, of level + 1, of the octants of `parents` marked in `chosen`; each inherits the pieces that
+/// touch it. Children outside the domain are left out, and if `onlyOccupied`, children without pieces, too.
 GeometryLists childLists(const GeometryLists& parents, int level, const std::vector<char>& chosen, bool onlyOccupied,
                          const SurfaceModel& model, const GridFrame& frame, const RunContext& context);
 
-/// The leaves that touch a box, in Morton order; and the triangles in them, sorted.
+/// Return the leaves that touch a box, in Morton order, and the triangles in these leaves, sorted.
 std::vector<Index> leavesTouching(const Octree& octree, const LatticeBox& box);
 std::vector<Index> trianglesNear(const Octree& octree, const LatticeBox& box);
 
@@ -83,14 +83,14 @@ bool severalSurfaces(const LatticeBox& box, std::span<const ModelItem> pieces, c
 /// True if a leaf holds a piece of a side of a turned domain.
 bool hasTurnedSide(const Octree& octree, Index leaf, const SurfaceModel& model);
 
-/// A leaf of more charts than this is a cluster. Three planes that cross, as a slab and two walls do, are twelve charts
-/// once they are cut, and a leaf's eight corners tell apart all eight regions between them.
+/// A leaf of more charts than this is a cluster. Three planes that cross, such as a slab and two walls, are twelve
+/// charts once they are cut, and a leaf's eight corners distinguish all eight regions between them.
 inline constexpr std::size_t mostChartsOfLeaf = 12;
 
 /// True if the triangles among `pieces` are of more charts than mostChartsOfLeaf.
 bool isCluster(std::span<const ModelItem> pieces, const SurfaceModel& model);
 
-/// Returns the type of an octant with these pieces: `cluster` goes first, then `corner`, `curve`, `several`, `surface`.
+/// Returns the first type that fits an octant's pieces: `cluster`, `corner`, `curve`, `several`, `surface`, `none`.
 FeatureType featureTypeOf(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model);
 
 } // namespace atria

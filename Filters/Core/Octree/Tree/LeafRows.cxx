@@ -20,12 +20,12 @@ constexpr unsigned bitOf(Index leaf) { return 1u << (leaf & 7); }
 
 constexpr int directions = 27;
 constexpr int middle = 13;
-/// Along an axis: -1, 0 or 1.
+/// Returns the step of a direction along an axis: -1, 0 or 1.
 constexpr int stepAlong(int axis, int direction) { return direction / (axis == 0 ? 1 : axis == 1 ? 3 : 9) % 3 - 1; }
 constexpr int placeAlong(int axis, unsigned child) { return static_cast<int>(child >> axis & 1); }
 
-/// From a child of an octant to another one of the octant in a direction, or of itself: the direction in which that one
-/// touches, or -1.
+/// Returns the direction in which a child of an octant touches the child `other` of the octant in a direction (or of
+/// itself); -1 if they do not touch.
 constexpr int directionTo(unsigned child, int direction, unsigned other)
 {
   int found = 0;
@@ -63,8 +63,8 @@ TouchTable makeTouchTable()
 
 const TouchTable touching = makeTouchTable();
 
-/// Position of the octant beside a child: direction from the parent to the octant that holds it, and which child of
-/// that it is.
+/// Position of the octant beside a child: direction from the parent to the octant that holds it, and its number among
+/// that one's children.
 struct Beside
 {
   int direction;
@@ -163,7 +163,7 @@ private:
 };
 
 /// Finds the octants around others from the root down: neighbors of a child are children of its parent's neighbors.
-/// Keeps the neighbors of the last octant of each level, as octants that come one after the other are near each other.
+/// Keeps the neighbors of the last octant of each level, as consecutive octants are near each other.
 class LeafRows::NeighborFinder
 {
 public:
@@ -319,7 +319,7 @@ LeafMasks LeafRows::marked(const SurfaceModel& model, bool sides, const RunConte
   return descent.take();
 }
 
-/// The smaller leaves within children of an octant in a direction.
+/// Calls visit(octant, bits) for leaves within refined children of the octant in a direction.
 template <typename Visit>
 void LeafRows::eachFiner(unsigned children, int direction, Index octant, unsigned touched, Visit&& visit) const
 {
@@ -338,7 +338,7 @@ void LeafRows::eachFiner(unsigned children, int direction, Index octant, unsigne
   }
 }
 
-/// Calls visit(octant, bits) for leaves that touch some children of an octant with these neighbors; among them may be
+/// Calls visit(octant, bits) for leaves that touch some children of an octant with these neighbors. Bits may also be of
 /// octants that are no leaves.
 template <typename Visit>
 void LeafRows::eachTouching(unsigned children, const Neighbors& neighbors, Visit&& visit) const

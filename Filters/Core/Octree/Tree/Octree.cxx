@@ -10,7 +10,7 @@ namespace atria {
 
 namespace {
 
-/// First refined octant of each level, and the end.
+/// Returns the first refined octant of each level, and the end.
 std::vector<Index> beginsOf(const RefinedSets& refined)
 {
   std::vector<Index> begins{0};
@@ -73,7 +73,7 @@ Octree::Octree(const GridFrame& frame, const RefinedSets& refined, const Executo
   root_ = 0;
 }
 
-/// Leaves below each refined octant are counted from the finest level up, and numbered from the root down.
+/// Counts the leaves below each refined octant from the finest level up, and numbers them from the root down.
 void Octree::numberLeaves(const RefinedSets& refined, const Executor& executor)
 {
   Buffer<Index> below(children_.size());

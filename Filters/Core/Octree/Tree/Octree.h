@@ -14,11 +14,11 @@
 namespace atria {
 
 /// The sets of refined octants, by level: `refined[l]` holds the Morton keys, in the grid of level l, of the octants of
-/// level l that have children; sorted, without repeats. Every refined octant's parent is refined. This is the
-/// form in which an octree is sized, balanced and handed over; leaves follow from it.
+/// level l that have children; sorted, without repeats. Every refined octant's parent is refined. An octree is
+/// sized, balanced and passed on in this form; leaves follow from it.
 using RefinedSets = std::vector<std::vector<MortonKey>>;
 
-/// An octree from elsewhere: where it stands, and its refined octants.
+/// An octree from elsewhere: its frame and its refined octants.
 struct OctreeSets
 {
   GridFrame frame;
@@ -49,9 +49,9 @@ struct ModelItem
   std::uint32_t index : 30;
 };
 
-/// Leaves in Morton order, and above them the refined octants with their children. About 19 bytes a leaf, and 4 for
-/// each piece of the model in it. The whole root cube is covered; leaves outside of the domain are as coarse as the
-/// domain's refinement leaves them.
+/// Leaves in Morton order, and above them the refined octants with their children. Takes about 19 bytes a leaf, and 4
+/// for each piece of the model in it. The whole root cube is covered. Leaves outside of the domain are only as fine as
+/// the refinement of the domain makes them.
 class Octree
 {
 public:
@@ -68,32 +68,32 @@ public:
   const GridFrame& frame() const { return frame_; }
   std::size_t leafCount() const { return levels_.size(); }
   int level(Index leaf) const { return levels_[leaf]; }
-  /// Morton key in the grid of the leaf's own level.
+  /// Returns the Morton key in the grid of the leaf's own level.
   MortonKey key(Index leaf) const { return keys_[leaf] >> (3 * (frame_.depth - levels_[leaf])); }
-  /// Morton key of its first cell in the finest grid.
+  /// Returns the Morton key of the leaf's first cell in the finest grid.
   MortonKey finestKey(Index leaf) const { return keys_[leaf]; }
   int maximumLevel() const;
   Node root() const { return root_; }
-  /// Children of a refined octant, in Morton order.
+  /// Returns the children of a refined octant, in Morton order.
   const std::array<Node, 8>& children(Node node) const { return children_[node]; }
   std::size_t refinedCount() const { return children_.size(); }
 
-  /// The octant `key` of the grid of `level`, or the leaf that holds it.
+  /// Returns the octant `key` of the grid of `level`, or the leaf that holds it.
   Node nodeAt(MortonKey key, int level) const;
-  /// The leaf that holds a lattice point of the root cube; the upper one on a border.
+  /// Returns the leaf that holds a lattice point of the root cube; the upper one on a border.
   Index leafAt(const LatticePoint& p) const;
 
-  /// Lower corner in cells of the finest grid.
+  /// Returns the lower corner in cells of the finest grid.
   GridCell anchor(Index leaf) const { return gridCell(keys_[leaf]); }
   LatticePoint lowCorner(Index leaf) const { return cornerOf(leaf, 0); }
   LatticePoint highCorner(Index leaf) const { return cornerOf(leaf, 7); }
-  /// Corner by the bits of `which`: x 1, y 2, z 4.
+  /// Returns a corner by the bits of `which`: x 1, y 2, z 4.
   LatticePoint cornerOf(Index leaf, unsigned which) const;
   Vec3 center(Index leaf) const;
   /// True if the leaf and the domain share volume.
   bool inDomain(Index leaf) const;
 
-  /// The pieces of the model in a leaf (touching it counts), by kind and then by number.
+  /// Returns the pieces of the model that are in a leaf or touch it, by kind and then by number.
   std::span<const ModelItem> items(Index leaf) const
   {
     return itemOffsets_.empty()
@@ -109,7 +109,7 @@ public:
   FeatureType featureType(Index leaf) const { return featureTypes_.empty() ? FeatureType::none : featureTypes_[leaf]; }
   void setItems(std::vector<Index> offsets, std::vector<ModelItem> items, std::vector<FeatureType> types);
 
-  /// The sets this octree was made from.
+  /// Returns the sets that this octree was made from.
   RefinedSets refinedSets() const;
 
 private:

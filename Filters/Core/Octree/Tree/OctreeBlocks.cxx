@@ -7,7 +7,7 @@ namespace atria {
 
 namespace {
 
-/// The children's leaves more than their parent.
+/// Number of leaves that refining a leaf adds.
 constexpr std::size_t leavesOfRefined = 7;
 
 class Divider
@@ -92,7 +92,7 @@ std::vector<Index> divideBlocks(const std::vector<std::size_t>& costs, std::size
   std::size_t before = 0;
   for (Index block = 0; block < costs.size(); ++block)
   {
-    // A block belongs to the rank in whose share its middle lies.
+    // A block belongs to the rank whose share holds the block's middle.
     while (firsts.size() < ranks && (2 * before + costs[block]) * ranks > 2 * all * firsts.size())
     {
       firsts.push_back(block);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Parts of an octree, and which ranks have them.
+/// Divides an octree into blocks, and blocks among ranks.
 #pragma once
 
 #include "Octree/Tree/Octree.h"
