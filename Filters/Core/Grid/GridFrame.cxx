@@ -44,7 +44,7 @@ void checkOptions(const GridOptions& o)
   }
 }
 
-/// The level whose octants come closest to `size`.
+/// Returns the level whose octants come closest to `size`.
 int levelClosestTo(double size, const GridFrame& frame)
 {
   int best = frame.depth;
@@ -70,10 +70,10 @@ int levelsBelow(const GridOptions& o)
   return levels;
 }
 
-/// Finest octants between the root's and the domain's lower plane: half of what is to spare in the smallest octant at
-/// the root's lower end that is as long as the domain. So planes between large octants do not cut through a flat one,
-/// whose parts then are next to each other in the Morton order. With levels below SizeMin they are chosen, where there
-/// is room, such that the plane is next to the centers of octants of SizeMin.
+/// Returns the number of finest octants between the lower planes of the root and the domain: half of the spare length
+/// of the smallest octant at the root's lower end that is as long as the domain. So planes between large octants do not
+/// cut through a flat domain, whose parts are then neighbors in the Morton order. If there are levels below SizeMin and
+/// there is room, the domain's plane is next to the centers of octants of SizeMin.
 double marginOf(double octants, double rootOctants, int below)
 {
   const double period = std::ldexp(1.0, below);
@@ -177,7 +177,7 @@ GridFrame makeGridFrame(const GridOptions& options, const Box3& extent)
   const int below = levelsBelow(options);
   frame.finestSize = std::ldexp(options.sizeMin, -below);
   const Vec3 octants = options.domain.size() / frame.finestSize;
-  // One octant more than the length, as half of one sticks out at either end.
+  // One octant is added to the length, as half of one reaches out at either end.
   const double needed = octants.maxCoeff() + 1.0 - 1e-9 * octants.maxCoeff();
   while (frame.depth <= GridFrame::maximumDepth && static_cast<double>(std::int64_t{1} << frame.depth) < needed)
   {

@@ -17,10 +17,10 @@ inline Vec3 toVector(const LatticePoint& p)
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
 
-/// The root cube `[origin, origin + finestSize * 2^depth]^3` that holds the domain. Its phase puts the domain's lower
-/// planes through the centers of finest octants: the upper ones follow where the domain is a multiple of `finestSize`.
-/// `finestSize` is SizeMin, or SizeMin / 2^k where a rule requests finer octants; features then are at k levels above
-/// the finest unless a rule says otherwise.
+/// The root cube `[origin, origin + finestSize * 2^depth]^3` that holds the domain. The domain's lower planes pass
+/// through the centers of finest octants; so do the upper ones if the domain is a multiple of `finestSize`.
+/// `finestSize` is SizeMin, or SizeMin / 2^k if a rule requests finer octants. Features are then k levels above the
+/// finest, unless a rule requests otherwise.
 ///
 /// All coordinates are along the axes of `placement`, to which the model was turned.
 ///
@@ -35,44 +35,44 @@ struct GridFrame
   int startLevel = 0;
   int midLevel = 0;
   int topLevel = 0;
-  /// Level of SizeMin: that of features without a rule of their own.
+  /// Level of SizeMin, at which features are that no rule names.
   int featureLevel = 0;
   int subBits = 0;
   Box3 domain;
   LatticePoint domainLow{};
   LatticePoint domainHigh{};
   Placement placement;
-  /// The domain proper where it is no box along the grid: its upright sides then are surfaces, and `domain` is a box of
+  /// The domain proper if it is no box along the grid. Its upright sides are then surfaces, and `domain` is a box of
   /// the grid around it, with the same bottom and top.
   std::optional<PlacedPrism> turnedDomain;
 
-  /// The domain proper, whether it is a box along the grid or not.
+  /// Returns the domain proper, also if it is a box along the grid.
   PlacedPrism prism() const { return turnedDomain.value_or(PlacedBox{placement, domain}); }
   double rootSize() const { return finestSize * static_cast<double>(std::int64_t{1} << depth); }
   double latticeUnit() const { return finestSize / static_cast<double>(std::int64_t{1} << subBits); }
-  /// Edge length of an octant of `level` in lattice units.
+  /// Returns the edge length of an octant of `level`, in lattice units.
   std::int64_t latticeSize(int level) const { return std::int64_t{1} << (depth - level + subBits); }
   double sizeOf(int level) const { return finestSize * static_cast<double>(std::int64_t{1} << (depth - level)); }
 
   LatticePoint toLattice(const Vec3& p) const;
   Vec3 toModel(const LatticePoint& p) const;
-  /// A place between the lattice's points.
+  /// Takes a place between the lattice's points.
   Vec3 toModel(const Vec3& lattice) const { return origin + latticeUnit() * lattice; }
   double toModel(int axis, double lattice) const { return origin[axis] + lattice * latticeUnit(); }
 
   /// True if the point is strictly inside the domain box.
   bool inDomain(const LatticePoint& p) const;
-  /// Domain planes (by Direction, as bits) that pass through the octant [low, high]. A plane on the border of two
-  /// octants belongs to the one inside the domain.
+  /// Returns the domain planes (by Direction, as bits) that pass through the octant [low, high]. A plane on the border
+  /// of two octants belongs to the one inside the domain.
   unsigned domainPlanes(const LatticePoint& low, const LatticePoint& high) const;
-  /// Model coordinate of a domain plane.
+  /// Returns the model coordinate of a domain plane.
   double planeOf(int direction) const
   {
     return isUpper(direction) ? domain.max[axisOf(direction)] : domain.min[axisOf(direction)];
   }
 };
 
-/// The coarsest level at which octants have a valid vertex: larger ones have both domain planes of an axis in them.
+/// Returns the coarsest level at which octants have a valid vertex. Larger octants hold both domain planes of an axis.
 int coarsestLevelFor(const GridFrame& frame);
 
 /// Chooses the lattice of a frame whose root and domain are set, so that it holds `extent` too. Throws Error if
@@ -80,8 +80,8 @@ int coarsestLevelFor(const GridFrame& frame);
 void fitLattice(GridFrame& frame, const Box3& extent);
 
 /// Chooses root, levels and lattice. `extent` must hold every surface point. Throws Error if the domain is empty or
-/// thinner than two octants of sizeMin, sizes are not positive and ordered, or the ratio of extent to the finest size
-/// is beyond what 20 levels hold.
+/// thinner than two octants of sizeMin, if sizes are not positive and ordered, if the domain needs more than 20 levels,
+/// or if `extent` reaches too far for the lattice.
 GridFrame makeGridFrame(const GridOptions& options, const Box3& extent);
 
 } // namespace atria

@@ -8,7 +8,7 @@
 
 namespace atria {
 
-/// The domain and the sizes an octree is made for.
+/// The domain and the sizes for which an octree is made.
 struct GridOptions
 {
   Box3 domain;
@@ -20,7 +20,7 @@ struct GridOptions
   double sizeMax = 8.0;
   /// Every octant in the domain is refined at least to this level (the root is level 0).
   int startLevel = 4;
-  /// The finest size requested anywhere (finestSizeOf in Octree/Sizing.h). Below sizeMin it adds levels to the grid.
+  /// The finest size requested anywhere (finestSizeOf in SizingOptions.h). Below sizeMin it adds levels to the grid.
   double finestAsked = std::numeric_limits<double>::infinity();
 };
 

@@ -20,7 +20,7 @@ struct LatticeBox
   {
     return p[0] >= low[0] && p[0] <= high[0] && p[1] >= low[1] && p[1] <= high[1] && p[2] >= low[2] && p[2] <= high[2];
   }
-  /// Grows to hold what another one holds.
+  /// Grows to hold another box.
   void extend(const LatticeBox& other)
   {
     for (int axis = 0; axis < 3; ++axis)

@@ -12,7 +12,7 @@ namespace atria {
 
 /// Returns the share of each place, 0 to shares - 1. Shares are ranges along the Morton order of the places in their
 /// bounding cube. Their lengths differ by one at most; the first ones are the longer. Places with the same key are
-/// ordered by number. The result is the same for any number of threads. \pre shares > 0.
+/// ordered by number. The result is the same for any number of threads. `shares` must be above 0.
 std::vector<Index> divideAlongMorton(std::span<const Vec3> places, std::size_t shares, const RunContext& context);
 
 } // namespace atria

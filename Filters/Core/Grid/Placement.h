@@ -32,12 +32,12 @@ public:
   }
 
   double angle() const { return angle_; }
-  /// Coordinates along the turned axes of a point of the model.
+  /// Returns the coordinates of a point of the model along the turned axes.
   Vec3 fromModel(const Vec3& p) const
   {
     return angle_ == 0.0 ? p : Vec3(cosine_ * p[0] + sine_ * p[1], cosine_ * p[1] - sine_ * p[0], p[2]);
   }
-  /// The point of the model with given coordinates along the turned axes.
+  /// Returns the point of the model with given coordinates along the turned axes.
   Vec3 toModel(const Vec3& p) const
   {
     return angle_ == 0.0 ? p : Vec3(cosine_ * p[0] - sine_ * p[1], cosine_ * p[1] + sine_ * p[0], p[2]);

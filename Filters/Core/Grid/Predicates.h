@@ -23,7 +23,7 @@ using Wide = boost::multiprecision::int128_t;
 
 inline int signOf(Wide value) { return value > 0 ? 1 : (value < 0 ? -1 : 0); }
 
-/// Twice the signed area of (a, b, c) projected along `axis`, counter-clockwise seen from its positive end.
+/// Returns twice the area of (a, b, c) projected along `axis`, positive if counterclockwise seen from its positive end.
 inline Wide projectedArea(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, int axis)
 {
   const int u = (axis + 1) % 3;

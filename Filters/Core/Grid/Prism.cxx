@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view prismSidePrefix = "domainSide";
 
-/// Corners of the regular polygon around the unit circle; the first side starts at the first.
+/// Returns the corners of the regular polygon around the unit circle; the first side starts at the first one.
 std::vector<Vec2> regularCorners(int sideCount)
 {
   std::vector<Vec2> corners;
@@ -37,7 +37,7 @@ std::pair<Vec2, Vec2> boundsOf(const std::vector<Vec2>& points)
   return bounds;
 }
 
-/// From `low` to `high` for shares from 0 to 1; exact at both, and where rounding is all that keeps a share from them.
+/// Returns a value from `low` to `high` for shares from 0 to 1; exact at both ends, even if shares are rounded.
 double between(double low, double high, double share)
 {
   constexpr double rounding = 1e-12;

@@ -10,8 +10,8 @@
 
 namespace atria {
 
-/// Sides of a domain have numbers: a box by Direction, and the bottom and the top of every domain, too. The upright
-/// sides of other prisms follow these.
+/// Sides of a domain have numbers. Sides of a box, and the bottom and top of any domain, are numbered by Direction. The
+/// upright sides of other prisms follow.
 inline constexpr int fewestPrismSides = 3;
 inline constexpr int mostPrismSides = 48;
 inline constexpr Index firstPrismSide = 6;
@@ -21,7 +21,7 @@ using SideBits = std::uint64_t;
 static_assert(sideNumbers <= 64);
 
 inline bool isUprightSide(Index number) { return number != zMin && number != zMax; }
-/// `xMin` … `zMax`, and `domainSide1` and so on of other prisms.
+/// Returns `xMin` … `zMax`; `domainSide1` and so on for upright sides of other prisms.
 std::string sideName(Index number);
 bool isSideName(std::string_view name);
 
@@ -36,9 +36,9 @@ struct PrismSide
 
   /// Returns how far a point is beyond the side's plane; negative within.
   double beyond(const Vec2& p) const { return normal.dot(p) - offset; }
-  /// Counterclockwise, square to the normal.
+  /// Returns the unit vector along the side, counterclockwise.
   Vec2 tangent() const { return {-normal[1], normal[0]}; }
-  /// The nearest point of the side's plane.
+  /// Returns the nearest point of the side's plane.
   Vec2 foot(const Vec2& p) const { return offset * normal + tangent().dot(p) * tangent(); }
 };
 
@@ -72,10 +72,10 @@ private:
   std::vector<PrismSide> sides_;
 };
 
-/// Bounds of a regular prism around a circle, which touches its sides.
+/// Returns the bounds of a regular prism around a circle, which touches its sides.
 Box3 boundsAboutCircle(const Vec2& center, double radius, int sideCount, double bottom, double top);
 
-/// Bounds, along other axes, of a prism.
+/// Returns the bounds of a prism along other axes.
 Box3 boundsAlong(const Placement& axes, const PlacedPrism& prism);
 
 } // namespace atria
