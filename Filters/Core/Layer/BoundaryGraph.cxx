@@ -31,7 +31,7 @@ Buckets findFaces(const DualMesh& mesh, const RunContext& context)
   });
 }
 
-/// The edges of the faces at a point that lead to higher points.
+/// Sets `out` to the edges of the faces at a point that lead to higher points.
 void collectEdges(const DualMesh& mesh, const BoundaryGraph& graph, Index point, std::vector<HalfEdge>& out)
 {
   out.clear();

@@ -26,7 +26,7 @@ struct BoundaryGraph
   static constexpr Index faceOf(Index code) { return code >> 2; }
   static constexpr int edgeOf(Index code) { return static_cast<int>(code & 3); }
 
-  /// Per boundary face and edge: 4 * f + i for edge i of face f across it, or noEdge, or branching.
+  /// One entry per boundary face and edge: 4 * f + i for edge i of the face f across it; or noEdge, or branching.
   std::vector<std::array<Index, 4>> across;
   /// One entry per point of the mesh: the boundary faces around it, in rising order.
   Buckets faces;

@@ -264,7 +264,7 @@ std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls,
   return sizes;
 }
 
-/// 1 for points that have a layer.
+/// Returns one entry per point: 1 if it has a layer.
 std::vector<Index> LayerGrower::countsOf(const DualMesh& plain, const std::vector<char>& excluded,
                                          const RunContext& context)
 {

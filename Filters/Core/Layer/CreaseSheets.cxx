@@ -294,7 +294,7 @@ private:
     appendElement(layer.mesh, corners, neighbors, layer.mesh, like);
   }
 
-  /// A boundary face like another one.
+  /// Adds a boundary face like another one, for another element. Returns its neighbor code.
   std::int32_t addFace(Index like, Index element, int direction, Index wallFace)
   {
     BoundaryFace face = layer.mesh.boundaryFaces[like];
@@ -305,7 +305,7 @@ private:
     return ~static_cast<std::int32_t>(layer.mesh.boundaryFaces.size() - 1);
   }
 
-  /// The side of the domain that a prism ends on across an edge of its wall.
+  /// Returns the boundary face on which a prism ends across an edge of its wall, at a side of the domain.
   Index sideAt(Index f, int edge) const
   {
     return DualMesh::boundaryFaceOf(layer.mesh.neighbors[prismOf(f)][besideEdge(directionOf(f), edge)]);
@@ -353,7 +353,7 @@ private:
     layer.mesh.neighbors[inside][direction] = static_cast<std::int32_t>(above[f]);
   }
 
-  /// The element between the prism of a face and the crease.
+  /// Adds the element between the prism of a face and the crease.
   void addBeside(Index f, int edge)
   {
     const int direction = directionOf(f);

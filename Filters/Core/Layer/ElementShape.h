@@ -6,7 +6,7 @@
 
 namespace atria {
 
-/// Quality of one element, by the definitions of Quality/Geometry.h and Quality/Metrics.h.
+/// Quality of one element, by the definitions of Quality/Faces/Geometry.h and Quality/Checks/Metrics.h.
 struct ElementShape
 {
   double volume = 0.0;

@@ -21,8 +21,8 @@ double cornerVolumeOf(double height, double size)
   return size * size * height / std::pow((2.0 * size + height) / 3.0, 3);
 }
 
-/// Returns the determinant of a box with a square base and neighbors on all sides, but for its base if it stands on a
-/// wall.
+/// Returns the determinant of a box with a square base and neighbors on all sides, except below its base if it stands
+/// on a wall.
 double determinantOf(double height, double size, bool isOnWall)
 {
   const int bases = isOnWall ? 1 : 2;

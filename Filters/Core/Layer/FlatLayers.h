@@ -18,7 +18,7 @@ struct FlatLayers
   double volumeRatio = std::numeric_limits<double>::infinity();
   double cornerVolume = std::numeric_limits<double>::infinity();
   double determinantRoot = std::numeric_limits<double>::infinity();
-  /// Of the layers before they are divided.
+  /// Corner volume of the layers before they are divided.
   double cornerVolumeOfAll = std::numeric_limits<double>::infinity();
 
   /// Keeps the lower of each measure.

@@ -19,7 +19,7 @@ std::size_t elementsWithLayers(const Octree& octree, const SurfaceModel& model, 
                                const RunContext& context, const std::function<bool(Index leaf)>& isCounted = {});
 
 /// Throws Error if the elements that elementsWithLayers counts need more than `memoryLimit` bytes; 0 is no limit. If
-/// several processes have parts of the octree, `isOwn` tells which leaves this one counts; all get the same answer.
+/// several processes have parts of the octree, each counts the leaves for which `isOwn` is true, and all act alike.
 void checkLayerBudget(const Octree& octree, const SurfaceModel& model, const std::vector<LayerRule>& rules,
                       std::size_t memoryLimit, const RunContext& context,
                       const std::function<bool(Index leaf)>& isOwn = {}, RankExchange& exchange = alone());

@@ -250,7 +250,7 @@ private:
     }
   }
 
-  /// Faces between the prisms on either side of a zone's faces are the zone's.
+  /// Gives the faces between the prisms on either side of a zone's faces to the zone.
   void extendZones()
   {
     for (const ZoneEdge& zone : zoneEdges)

@@ -15,12 +15,12 @@ namespace atria {
 /// Sizes of the octants at a surface, in model units; 0 if it has none.
 struct WallSize
 {
-  double typical = 0.0; ///< of all but the largest tenth
+  double typical = 0.0; ///< at most a tenth of the octants are larger
   double largest = 0.0;
 };
 
-/// Returns one entry per surface, then per side of the domain. If several processes have parts of the octree, `isOwn`
-/// tells which leaves this one counts; all get the same answer.
+/// Returns one entry per surface, then per side of the domain. If several processes have parts of the octree, this one
+/// counts the leaves for which `isOwn` is true; all get the same answer.
 std::vector<WallSize> typicalSizes(const Octree& octree, const SurfaceModel& model, const RunContext& context,
                                    const std::function<bool(Index leaf)>& isOwn = {}, RankExchange& exchange = alone());
 
