@@ -15,9 +15,9 @@ namespace atria {
 /// of points.
 using PointKey = std::uint64_t;
 
-/// Rows of leaves that a rank's octree has as the whole does: `atWalls` around own leaves at walls and `beside` around
-/// all own leaves, then `beside` more around all of these. So elements at the rank's leaves are those of the whole. The
-/// numbers were found by trial; if they are too few, ranks throw RanksDisagree.
+/// Width, in rows of leaves, of the halo in which a rank's octree is that of the whole: `atWalls` around own leaves at
+/// walls and `beside` around all own leaves, then `beside` more around all of these. So elements at the rank's leaves
+/// are those of the whole. The numbers were found by trial. If they are too small, ranks throw RanksDisagree.
 struct ShareRows
 {
   int atWalls = 4;

@@ -20,8 +20,8 @@ struct SharedPoint
   auto operator<=>(const SharedPoint&) const = default;
 };
 
-/// Asks ranks about points. `rankOf` returns the rank to ask for each key, and `answer` what a rank says of one of its
-/// own. Returns one answer per key.
+/// Requests values for keys from the ranks that own them. `rankOf` returns the owner of a key, and `answer` the value
+/// of one of this rank's own keys. Returns one answer per key.
 template <typename Key, typename Answer, typename RankOf, typename AnswerTo>
 std::vector<Answer> askRanks(RankExchange& exchange, const std::vector<Key>& keys, RankOf&& rankOf, AnswerTo&& answer)
 {
@@ -56,7 +56,7 @@ std::vector<Answer> askRanks(RankExchange& exchange, const std::vector<Key>& key
 }
 
 /// Returns, for each rank, the numbers of what it has of this one. `theirs` has the numbers of what this rank has of
-/// each other, `keyOf` turns them into keys, and `numberOf` finds the number of a key that others ask for. The lists
+/// each other, `keyOf` turns them into keys, and `numberOf` finds the number of a key that others request. The lists
 /// then have the same order on both ranks.
 template <typename Key, typename KeyOf, typename NumberOf>
 std::vector<std::vector<Index>> askedOf(const std::vector<std::vector<Index>>& theirs, RankExchange& exchange,

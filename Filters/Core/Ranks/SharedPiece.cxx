@@ -19,8 +19,8 @@ struct ChainPoint
   auto operator<=>(const ChainPoint&) const = default;
 };
 
-/// Gives what this rank owns numbers in the mesh of all ranks, where groups follow each other. `groupOf` returns the
-/// group of each; others than own ones have a number beyond the last group. Returns the count on all ranks.
+/// Sets the numbers in the mesh of all ranks of what this rank owns, one group after the other. `groupOf` returns the
+/// group of each entry, or the number of groups for entries of other ranks. Returns the count on all ranks.
 template <typename GroupOf>
 std::uint64_t numberOwn(std::vector<std::uint64_t>& numbers, std::size_t groups, RankExchange& exchange,
                         GroupOf&& groupOf)
@@ -44,7 +44,7 @@ std::uint64_t numberOwn(std::vector<std::uint64_t>& numbers, std::size_t groups,
   return before;
 }
 
-/// Sets the numbers of all from those of own ones; asks owners for the others. `find` returns the number here of a key.
+/// Sets all numbers: own ones from `own`, others by request to their owners. `find` returns the number here of a key.
 template <typename Key, typename KeyOf, typename RankOf, typename Find>
 void askForOthers(std::vector<std::uint64_t>& numbers, const std::vector<std::uint64_t>& own,
                   const std::vector<Index>& before, const std::vector<int>& ranks, RankExchange& exchange,

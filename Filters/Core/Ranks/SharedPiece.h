@@ -26,7 +26,7 @@ struct SharedPiece
   std::vector<std::uint64_t> pointNumbers;
   std::uint64_t elementCount = 0;
   std::uint64_t pointCount = 0;
-  /// Numbers of the elements asked for, on whichever rank they are; noNumber for those that were left out.
+  /// Numbers of the requested elements, on any rank; noNumber for those that were left out.
   std::vector<std::uint64_t> askedNumbers;
 };
 
