@@ -39,7 +39,7 @@ private:
 /// The surfaces as drawn, with one entry per surface in each list.
 struct DrawnSurfaces
 {
-  /// Within the domain, in square model units. Faces that are there twice count twice.
+  /// Within the domain, in square model units. Duplicate faces count twice.
   std::vector<double> areas;
   /// Beyond the domain's sides or below its bottom, in square model units.
   std::vector<double> outside;

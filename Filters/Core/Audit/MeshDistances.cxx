@@ -251,7 +251,7 @@ private:
     }
   }
 
-  /// Faces of other processes may be nearer.
+  /// Returns the places of all processes, with the least distance that any process measures.
   template <typename MeasureAll>
   std::vector<Measured> nearestOfAll(std::vector<Measured> own, MeasureAll&& measureAll) const
   {

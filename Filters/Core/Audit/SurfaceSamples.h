@@ -31,9 +31,9 @@ struct SeenModel
 };
 
 /// Returns a place on each surface for each grid edge that leads to it from air past no other wall, in the order of
-/// edges. The mesh has a face there. Edges around leaves that are clusters give none.
-/// \param part  The part of the grid whose edges give places. \param ofZone  One entry per zone of `zones`.
-/// O(crossings).
+/// edges. The mesh has a face there. Edges around leaves that are clusters give none. O(crossings).
+/// \param ofZone  One entry per zone of `zones`.
+/// \param part    The part of the grid whose edges give places.
 std::vector<SurfaceSample> sampleSurfaces(const Crossings& crossings, const Zones& zones,
                                           const std::vector<View>& ofZone, const GridPart& part,
                                           const MeshingContext& context);

@@ -127,7 +127,7 @@ private:
     return corners;
   }
 
-  /// Returns true if a triangle lies away from all sides, as most do. Notes of it only that it is there.
+  /// Returns true if a triangle lies away from all sides, as most do. Then notes only that it is there.
   bool isInside(std::size_t triangle)
   {
     const auto& t = surface.triangles[triangle];

@@ -224,7 +224,7 @@ PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, con
   }
   if (turned)
   {
-    // No octant at a corner of the domain may reach a plane of the box about it.
+    // No octant at a corner of the domain may reach a plane of the box around it.
     const Vec3 margin(2.0 * sizes.sizeMax, 2.0 * sizes.sizeMax, 0.0);
     options.domain = {options.domain.min - margin, options.domain.max + margin};
   }

@@ -33,7 +33,7 @@ struct SitePlan
   bool hasSheetSides() const { return !domain.isBox() || grid.angle() != domain.axes.angle(); }
 };
 
-/// Returns the domain that the options ask for and the placement of the grid. If there is a terrain, the domain's
+/// Returns the domain that the options request and the placement of the grid. If there is a terrain, the domain's
 /// bottom is lowered to two of the largest octants below it, so that the bottom cuts nothing. Throws Error if the
 /// options cannot be met.
 SitePlan planSite(const TriangleSurface& surface, const SiteOptions& options, const GridOptions& sizes);

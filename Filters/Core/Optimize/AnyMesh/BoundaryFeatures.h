@@ -38,7 +38,7 @@ struct BoundaryFeatures
 /// Finds the features of a mesh's boundary. An edge of the boundary is kept if
 /// - other than two faces meet in it,
 /// - the normals of its two faces differ by more than `featureAngle` (degrees), or
-/// - its two faces are of different patches.
+/// - its two faces belong to different patches.
 /// A face that is turned over in its plane, as in a tangled mesh, makes no edge. `patches` has one entry per boundary
 /// face of the mesh: its patch; empty if all are in one.
 BoundaryFeatures findBoundaryFeatures(const FaceMesh& mesh, const CellFaces& cellFaces, std::span<const Index> patches,

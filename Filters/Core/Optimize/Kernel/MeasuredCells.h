@@ -26,7 +26,7 @@ std::vector<ShortCell> findShortCells(const CellSource& source, const std::vecto
 class MeasuredCells
 {
 public:
-  /// `strictest` asks for no less than all targets that are passed to shortOf().
+  /// `strictest` must be at least as strict as all targets that are passed to shortOf().
   explicit MeasuredCells(const QualityTargets& strictest) : targets_(strictest) {}
 
   /// Notes cells, given in order, that have changed.

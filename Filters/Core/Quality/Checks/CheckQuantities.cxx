@@ -213,7 +213,7 @@ double concaveAngle(const MeasuredMesh& m, std::size_t f)
   return std::asin(std::min(1.0, worst)) / radians(1.0);
 }
 
-/// Signed volume over that of the regular tetrahedron of the same circumradius.
+/// Returns the signed volume over that of the regular tetrahedron of the same circumradius.
 double tetQuality(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s)
 {
   const Vec3 a = q - p;
@@ -231,7 +231,7 @@ double tetQuality(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s)
   return volume / (8.0 / (9.0 * std::sqrt(3.0)) * (bounded * bounded * bounded) + rootVSmall);
 }
 
-/// Smallest quality of the tetrahedra of `apex` and the triangles that fan out from corner `base` of a face.
+/// Returns the least quality of the tetrahedra of `apex` and the triangles that fan out from corner `base` of a face.
 double fanQuality(const MeasuredMesh& m, std::span<const Index> face, std::size_t base, const Vec3& apex, bool isOwner)
 {
   double worst = std::numeric_limits<double>::infinity();

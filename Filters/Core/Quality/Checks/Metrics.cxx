@@ -22,7 +22,7 @@ double cosine(const Vec3& a, const Vec3& b)
   return dotInOrder(a, b) / (lengthInOrder(a) * lengthInOrder(b) + rootVSmall);
 }
 
-/// The component of v along an area vector.
+/// Returns the component of v along an area vector.
 Vec3 normalPart(const Vec3& v, const Vec3& area)
 {
   const double size = lengthInOrder(area);

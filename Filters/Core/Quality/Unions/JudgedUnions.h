@@ -42,7 +42,7 @@ struct JudgedMesh
   std::size_t pyramid(std::size_t i) const { return mesh.cellCount - added.size() + i; }
 };
 
-/// What a part of a mesh asks of the other parts. This class answers for a whole mesh, which has no other parts.
+/// Exchanges data about unions with the other parts of a mesh. This base class serves a whole mesh.
 class UnionPort
 {
 public:
@@ -52,7 +52,7 @@ public:
   /// Returns true if `here` is true in any part.
   virtual bool isAnywhere(bool here) const { return here; }
   /// Keeps the own cells of a list of cells before unions, and adds the cells that other parts found and that are in
-  /// this one too. Sorts the list, and takes out what is there twice.
+  /// this one too. Sorts the list and removes duplicates.
   virtual void share(std::vector<Index>& cells) const;
   /// Returns the part before unions; null for a whole mesh.
   virtual const CheckedPart* before() const { return nullptr; }
