@@ -116,7 +116,7 @@ private:
     }
   }
 
-  /// Heights above the domain's bottom integrate to the volume.
+  /// Returns the volume of a body in the domain, as an integral of heights above the bottom.
   double volumeWithin(const DrawnBody& body) const
   {
     double volume = 0.0;
@@ -134,7 +134,7 @@ private:
     return volume;
   }
 
-  /// Pairs of bodies whose boxes meet within the domain.
+  /// Returns the pairs of bodies whose boxes meet within the domain.
   std::vector<std::array<Index, 2>> pairs() const
   {
     std::vector<Index> order;

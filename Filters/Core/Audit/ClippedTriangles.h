@@ -13,7 +13,7 @@ class ConvexRegion
 public:
   /// Points beyond a plane by no more than `tolerance` count as within, such as a base on the domain's bottom.
   ConvexRegion(const Box3& box, double tolerance);
-  /// Along the prism's axes.
+  /// Coordinates are along the prism's axes.
   ConvexRegion(const PlacedPrism& prism, double tolerance);
 
   /// The part of a triangle within the region: its area, and the integral over it of the height above `level`. Both are

@@ -34,7 +34,7 @@ public:
   SupportSearch(const TriangleSurface& surface, const ModelBodies& bodies, const PlumbLines& lines,
                 const std::vector<BodyBase>& bases, double reach, double tolerance);
 
-  /// `base` is the number of a base, and `ground` the height of the lowest ground below it.
+  /// Returns what holds up the base of this number. `ground` is the height of the lowest ground below it.
   BaseSupport find(Index base, double ground) const;
   /// True if the body touches another one that reaches down to `low` or lower and rises above `ground`.
   bool isBesideOther(Index body, double low, double ground) const;

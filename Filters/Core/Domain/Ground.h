@@ -19,7 +19,7 @@ public:
 
   double heightAt(double x, double y) const;
   bool empty() const { return triangles.empty(); }
-  /// Bounds of the ground's triangles; empty without any.
+  /// Returns the bounds of the ground's triangles; empty without any.
   const Box3& bounds() const { return box; }
 
 private:

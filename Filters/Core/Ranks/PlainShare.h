@@ -37,9 +37,9 @@ struct PlainShare
 /// Makes the share of a plain mesh. Throws RanksDisagree if the octree ends beside own elements.
 PlainShare shareOf(ClassifiedMesh plain, std::vector<PointKey> keys, const Octree& octree, const RankShare& share);
 
-/// Asks other ranks whether their elements in two rings around own ones are as here: at the same points, which belong
-/// to the same pieces of the model, with the same faces. They may differ, as a rank's octree is that of the whole only
-/// within some rows around its share. Throws RanksDisagree if any differ. Sends 16 bytes an element.
+/// Compares the elements in two rings around own ones with those of other ranks: their points, the pieces of the model
+/// to which these belong, and their faces. They may differ, as a rank's octree is that of the whole only within some
+/// rows around its share. Throws RanksDisagree if any differ. Sends 16 bytes an element.
 void expectSameElements(const PlainShare& own, const RankShare& share);
 
 } // namespace atria

@@ -42,7 +42,7 @@ public:
   int rank() const { return exchange_.rank(); }
   int ranks() const { return exchange_.ranks(); }
   const OctreeBlocks& blocks() const { return blocks_; }
-  /// First block of this rank, and the one after its last.
+  /// Return the first block of this rank, and the one after its last.
   Index firstBlock() const { return firstBlocks_[static_cast<std::size_t>(rank())]; }
   Index endBlock() const { return firstBlocks_[static_cast<std::size_t>(rank()) + 1]; }
   /// Makes the rank's octree, whose leaves know their pieces of the model.

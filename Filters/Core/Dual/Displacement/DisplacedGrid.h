@@ -22,9 +22,9 @@ struct DisplacedGrid
 ///
 /// Planes of points enter the gaps (GapPlanes.h); what is left is searched point by point (PlaceSearch.h). No move
 /// opens a way between zones that the octree's own grid keeps apart: points through which they would meet go back again
-/// (ZonesApart.h). `undisplaced` are the crossings of the octree's own grid, `points`. The cost is that of the places
-/// in question, and of a few passes over the cut edges. Places are searched on all threads; the moves are made in the
-/// order of points.
+/// (ZonesApart.h). `undisplaced` are the crossings of the octree's own grid, `points`. The cost is that of unresolved
+/// places, and of a few passes over the cut edges. Places are searched on all threads; the moves are made in the order
+/// of points.
 DisplacedGrid displaceGrid(const GridPoints& points, Crossings undisplaced, const GridPart& part,
                            const MeshingContext& context);
 

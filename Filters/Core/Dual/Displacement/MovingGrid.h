@@ -74,7 +74,7 @@ public:
     explicit Look(const MovingGrid& grid);
     std::span<const CutEdge> cutEdges() const { return edges; }
     const LeafTopology& topology() const { return topology_; }
-    /// The leaf and those beside its cut edges, without repetition.
+    /// Returns the leaf and those beside its cut edges, without repetition.
     const std::vector<Index>& leavesAbout() const { return about; }
 
   private:
@@ -107,7 +107,7 @@ public:
     double cost() const { return 2.0 * static_cast<double>(cuts) + leaves; }
   };
 
-  /// `crossings` are those of the grid without moved points. Keeps references to both.
+  /// `crossings` are those of the grid without moved points. Keeps references to all that is passed.
   MovingGrid(GridPlaces& places, const Crossings& crossings, const MeshingContext& context);
 
   const GridPlaces& places() const { return grid; }

@@ -58,7 +58,7 @@ public:
   }
   virtual ~GridPart() = default;
 
-  /// The points and leaves that this process owns.
+  /// Return the points and leaves that this process owns.
   const IndexRange& points() const { return points_; }
   const IndexRange& leaves() const { return leaves_; }
   bool owns(Index point) const { return points_.contains(point); }

@@ -26,7 +26,7 @@ public:
 
   LeafCurves(const Octree& octree, const SurfaceModel& model, const RunContext& context);
 
-  /// Entries of a leaf, sorted.
+  /// Returns the entries of a leaf, sorted.
   std::span<const Entry> of(Index leaf) const;
   /// Returns those of sorted entries that are at `chart`.
   static std::span<const Entry> atChart(std::span<const Entry> entries, Index chart);

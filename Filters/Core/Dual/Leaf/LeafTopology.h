@@ -45,7 +45,7 @@ public:
   /// Looks at a leaf with these cut edges.
   void analyze(Index leaf, std::span<const CutEdge> edges);
 
-  /// Charts whose faces the vertex has, sorted.
+  /// Returns the charts whose faces the vertex has, sorted.
   const std::vector<Index>& charts() const { return charts_; }
   /// Links inside the domain, sorted by leaf. Mesh edges in a domain side, where all charts end, are none.
   const std::vector<Link>& links() const { return links_; }

@@ -39,7 +39,7 @@ public:
   ReachedModel(const UnreachedParts& parts, const MeshingContext& context);
 
   MeshingContext in(const RunContext& run) const { return {run, octree_, model_, tree_}; }
-  /// The octree may be freed when only its frame is needed any more.
+  /// Returns the octree, which callers may free when they need only its frame.
   Octree& octree() { return octree_; }
 
 private:

@@ -87,7 +87,7 @@ private:
   Index last_ = 0;
 };
 
-/// Finds the windows of the blocks improved here. `vertexOf` gives the vertex of each point. Throws Aborted.
+/// Finds the windows of blocks improved here. `vertexOf` has the vertex of each point. Throws Aborted when asked to.
 BlockWindows findWindows(const DualMesh& mesh, const std::vector<Index>& vertexOf, const MeshBlocks& blocks,
                          const RunContext& context);
 

@@ -29,7 +29,7 @@ public:
   virtual bool takes(int level, OctantNeed need) const = 0;
   /// True if a source must give the needs of octants.
   virtual bool isLimited() const = 0;
-  /// Adds octants of `level` to refine: sorted keys, and the need of each. Needs are ignored if the sink is not
+  /// Adds octants of `level` to refine: sorted keys, and the need of each. Needs may have any values if the sink is not
   /// limited.
   virtual void add(int level, const std::vector<MortonKey>& keys, const std::vector<OctantNeed>& needs,
                    const RunContext& context) = 0;

@@ -15,7 +15,7 @@ struct GapLine
   Vec3 to;
   /// Half the lengths of the box around a triangle's part in an octant.
   Vec3 half;
-  /// Level of octants of which enough fit across.
+  /// Level at which enough octants fit across.
   int level;
 };
 

@@ -66,7 +66,7 @@ public:
     }
   }
 
-  /// `limited`: true if the need of an octant must be decided, and gaps noted even where octants get finer.
+  /// Decides about an octant. If `limited`, also decides its need, and notes gaps even if octants get finer.
   Decision decide(MortonKey key, int level, std::span<const ModelItem> pieces, bool limited) const
   {
     Decision decision;

@@ -30,7 +30,7 @@ public:
     }
   }
 
-  /// `hint` is the run where the last key was found.
+  /// True if the set has a key. `hint` is the run where the last key was found.
   bool contains(MortonKey key, std::size_t& hint) const
   {
     if (hint < firsts.size() && firsts[hint] <= key && key < ends[hint])

@@ -62,7 +62,7 @@ public:
   static Index leafOf(Node node) { return node & ~leafBit; }
 
   Octree() = default;
-  /// O(n). Throws Error for sets that are not an octree.
+  /// Builds the octree of these sets. O(n). Throws Error if they are not an octree.
   Octree(const GridFrame& frame, const RefinedSets& refined, const Executor& executor = SerialExecutor());
 
   const GridFrame& frame() const { return frame_; }
