@@ -36,7 +36,7 @@ public:
 
   /// Returns what holds up the base of this number. `ground` is the height of the lowest ground below it.
   BaseSupport find(Index base, double ground) const;
-  /// True if the body touches another one that reaches down to `low` or lower and rises above `ground`.
+  /// True if the body's box touches that of another one that reaches down to `low` or lower and rises above `ground`.
   bool isBesideOther(Index body, double low, double ground) const;
 
 private:

@@ -19,8 +19,8 @@ constexpr int seenRows = 1;
 /// Rows of elements along the boundary that a window has around its block.
 constexpr int rowsAlong = 8;
 
-/// Returns the elements with points on the boundary or on faces of zones, in order. Those that touch only the edge of a
-/// wall let rows continue around it.
+/// Returns the elements with points on the boundary or on faces of zones, in order. Rows continue around edges of walls
+/// over elements that only touch the edge.
 std::vector<Index> elementsAtBoundary(const DualMesh& mesh)
 {
   std::vector<char> isAtBoundary(mesh.points.size(), 0);
