@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Layer/TypicalSizes.h"
 
+#include "Support/Sorting.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -26,13 +28,13 @@ public:
   void count(Index leaf, std::vector<std::size_t>& counts) const
   {
     const int level = octree.level(leaf);
-    Index last = noIndex;
+    std::vector<Index> surfaces;
     for (const ModelItem item : octree.items(leaf, ModelItem::triangle))
     {
-      const Index surface = model.surfaceIds[item.index];
-      counts[at(surface, level)] += surface != last ? 1 : 0;
-      last = surface;
+      surfaces.push_back(model.surfaceIds[item.index]);
     }
+    sortUnique(surfaces);
+    std::ranges::for_each(surfaces, [&](Index surface) { ++counts[at(surface, level)]; });
     const unsigned planes = octree.frame().domainPlanes(octree.lowCorner(leaf), octree.highCorner(leaf));
     for (std::size_t side = 0; side < 6; ++side)
     {

@@ -133,17 +133,6 @@ private:
   std::vector<CutEdge> edges;
 };
 
-/// Returns the corners of the model that no vertex took.
-std::vector<Index> missedCorners(const SurfaceModel& model, const std::vector<Index>& taken)
-{
-  std::vector<Index> missed;
-  std::vector<Index> sorted = taken;
-  std::sort(sorted.begin(), sorted.end());
-  std::copy_if(model.corners.begin(), model.corners.end(), std::back_inserter(missed),
-               [&](Index corner) { return !std::binary_search(sorted.begin(), sorted.end(), corner); });
-  return missed;
-}
-
 /// Returns the middle between the two vertices that a vertex is linked with; nullopt if there are not two.
 std::optional<Vec3> middleOfLinks(const ChainVertex& vertex, const std::vector<ChainVertex>& chain,
                                   const std::vector<Vec3>& positions)
@@ -301,7 +290,6 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
     std::move(part.chain.begin(), part.chain.end(), std::back_inserter(chain));
   }
   const std::vector<Index> corners = assignCorners(octree, model, chain);
-  vertices.missedCorners = missedCorners(model, corners);
   context.executor.forRanges(chain.size(), 256, [&](std::size_t begin, std::size_t end) {
     VertexPlacer placer(octree, model, curves, crossings);
     for (std::size_t i = begin; i < end; ++i)

@@ -53,8 +53,6 @@ struct DualVertices
   /// 1 if the vertex should be on several pieces of the model, or at a corner, and is not: they do not meet near the
   /// octant, which is as fine as was allowed.
   std::vector<char> compromised;
-  /// Corners of the model, as indices into its points, at which no vertex is.
-  std::vector<Index> missedCorners;
 };
 
 /// Places the vertex of each of `leaves`, which are in order. The faces around a vertex determine its class

@@ -85,6 +85,18 @@ bool isInDomain(const Vec3& placed, const GridFrame& frame)
          (placed.array() <= frame.domain.max.array()).all() && frame.inDomain(frame.toLattice(placed));
 }
 
+/// Returns the box around the domain along the axes of the model.
+Box3 boundsInModel(const GridFrame& frame)
+{
+  Box3 bounds;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const auto at = [&](int axis) { return (corner >> axis & 1 ? frame.domain.max : frame.domain.min)[axis]; };
+    bounds.extend(frame.placement.toModel(Vec3(at(0), at(1), at(2))));
+  }
+  return bounds;
+}
+
 /// Returns the grid points of a leaf and of leaves that touch it, by distance from p; of a turned domain, those inside.
 std::vector<std::pair<double, Index>> pointsAround(Index leaf, const Vec3& p, const GridPlaces& grid)
 {
@@ -137,9 +149,10 @@ Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, co
   const Vec3 placed = frame.placement.fromModel(seed);
   if (!isInDomain(placed, frame) || (frame.turnedDomain && !frame.turnedDomain->contains(seed)))
   {
+    const Box3 bounds = boundsInModel(frame);
     throw Error((std::ostringstream() << "the " << kind << " " << seed.transpose()
-                                      << " is outside the domain: give a point between " << frame.domain.min.transpose()
-                                      << " and " << frame.domain.max.transpose())
+                                      << " is outside the domain: give a point between " << bounds.min.transpose()
+                                      << " and " << bounds.max.transpose())
                     .str());
   }
   const Index leaf = octree.leafAt(frame.toLattice(placed));

@@ -189,6 +189,7 @@ private:
           take(result.changes);
           changed.insert(changed.end(), place.points.begin(), place.points.end());
           gone.insert(gone.end(), before.begin(), before.end());
+          std::erase_if(found, [&](const PoorElement& one) { return std::ranges::find(before, one) != before.end(); });
           found.insert(found.end(), result.poor.begin(), result.poor.end());
           replacePoor(before, result.poor);
         }
