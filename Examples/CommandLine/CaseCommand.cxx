@@ -38,7 +38,7 @@ const Words turbulenceModels{"k-epsilon", "realizable", "k-omega-sst"};
 const Words dialects{"opencfd-1912", "opencfd-2006", "foundation-11", "foundation-14"};
 const Words kinds{"automatic", "wind", "room"};
 /// Options of one kind of case that the other does not take.
-const Words windOptions{"--speed", "--height", "--roughness", "--north"};
+const Words windOptions{"--speed", "--height", "--roughness", "--north", "--ground", "--check-profile"};
 const Words roomOptions{"--inlet-speed", "--inlet-flow"};
 
 struct Options
@@ -54,9 +54,10 @@ struct Options
   int iterations = 0, processors = 0;
   double inletSpeed = 0.0, inletFlow = 0.0;
   std::string kind, turbulence, dialect;
-  bool age = false;
+  bool age = false, checkProfile = false;
   std::vector<std::pair<std::string, std::string>> patchRules;
   std::vector<std::tuple<std::string, std::string, std::string>> conditions;
+  std::vector<std::pair<std::string, std::string>> grounds;
 };
 
 constexpr const char* examples = R"(Examples:
@@ -66,6 +67,8 @@ constexpr const char* examples = R"(Examples:
       twelve directions, which share the mesh; each runs on four processors
   atria case house.vtu -o case --rose climate.csv
       the directions of a table of `atria climate` that wind comes from
+  atria case house.vtu -o case --ground Lawn grass --ground 'Road*' 0.005 --check-profile
+      grounds by the names of their surfaces; how far the wind's profile changes before the buildings
   atria case openfoam -o case --from 225 --turbulence k-omega-sst --patch 'Glass*' slip
       the mesh of an OpenFOAM case, wind from the southwest, another model of turbulence, walls without friction
   atria case room.vtu -o case --inlet-flow 0.05 --age-of-air
@@ -130,6 +133,10 @@ void declareWind(CLI::App& command, Options& options)
       ->excludes(wind)
       ->excludes(from)
       ->type_name("N|FILE.csv");
+  command.add_flag(
+      "--check-profile", options.checkProfile,
+      "Also write the domain without buildings, empty_domain, which runs in less than a minute: atria report "
+      "then says how far the wind's profile changes before the buildings");
   command.add_option("--north", options.north, "Where north lies, degrees from y, counterclockwise from above")
       ->capture_default_str()
       ->check(numberIn(-360.0, 360.0))
@@ -172,6 +179,13 @@ void declarePatches(CLI::App& command, Options& options)
           "grains, meters); may be repeated, the last holds")
       ->allow_extra_args(false)
       ->type_name("PATTERN ROLE");
+  command
+      .add_option(
+          "--ground", options.grounds,
+          "Roughness length, meters, of the surfaces whose name matches, which become ground; or a kind: water, "
+          "smooth, grass, crops, highCrops, parkland, suburb, forest, city; may be repeated, the last holds")
+      ->allow_extra_args(false)
+      ->type_name("PATTERN LENGTH|KIND");
   command
       .add_option(
           "--condition", options.conditions,
@@ -267,6 +281,7 @@ void configure(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, const
   writer->SetNumberOfProcessors(options.processors);
   writer->SetPedestrianHeight(options.pedestrian);
   writer->SetAgeOfAir(options.age);
+  writer->SetCheckProfile(options.checkProfile);
   const auto text = [](const std::string& pattern, const std::string& rest) {
     std::ostringstream rule;
     rule << std::quoted(pattern) << ' ' << rest;
@@ -275,6 +290,10 @@ void configure(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, const
   for (const auto& [pattern, role] : options.patchRules)
   {
     writer->AddPatchRule(text(pattern, role).c_str());
+  }
+  for (const auto& [pattern, roughness] : options.grounds)
+  {
+    writer->AddGroundRule(text(pattern, roughness).c_str());
   }
   for (const auto& [pattern, field, entries] : options.conditions)
   {

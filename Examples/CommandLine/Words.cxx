@@ -94,6 +94,8 @@ constexpr std::array optionOf{
     std::pair{"AgeOfAir", "--age-of-air"},
     std::pair{"PatchRules", "--patch"},
     std::pair{"ConditionRules", "--condition"},
+    std::pair{"GroundRules", "--ground"},
+    std::pair{"CheckProfile", "--check-profile"},
     std::pair{"by Seeds", "by --seed"},
 };
 

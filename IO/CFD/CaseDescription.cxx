@@ -71,15 +71,6 @@ void describeRoom(const CaseOfDirection& flow, Json& report)
   report["reference_speed"] = supplySpeed(flow);
 }
 
-/// Returns the first of many texts.
-std::string listed(const std::vector<std::string>& texts)
-{
-  constexpr std::size_t most = 6;
-  const auto last = texts.begin() + static_cast<std::ptrdiff_t>(std::min(most, texts.size()));
-  return joined({texts.begin(), last}) +
-         (texts.size() > most ? " and " + std::to_string(texts.size() - most) + " more" : "");
-}
-
 /// Returns a number with three digits.
 std::string shortNumber(double value)
 {
@@ -89,6 +80,14 @@ std::string shortNumber(double value)
 }
 
 } // namespace
+
+std::string listed(const std::vector<std::string>& texts)
+{
+  constexpr std::size_t most = 6;
+  const auto last = texts.begin() + static_cast<std::ptrdiff_t>(std::min(most, texts.size()));
+  return joined({texts.begin(), last}) +
+         (texts.size() > most ? " and " + std::to_string(texts.size() - most) + " more" : "");
+}
 
 Json describeCase(const CaseOfDirection& flow)
 {
@@ -140,6 +139,13 @@ Json describeDirection(const CaseOfDirection& flow, double towards, const std::s
   {
     described["patches"][flow.mesh.patches[i].name] = roleName(flow.choices[i].role);
     described["areas"][flow.mesh.patches[i].name] = flow.mesh.patches[i].area;
+  }
+  for (std::size_t i = 0; i < flow.choices.size(); ++i)
+  {
+    if (flow.choices[i].roughness)
+    {
+      described["roughness_lengths"][flow.mesh.patches[i].name] = *flow.choices[i].roughness;
+    }
   }
   for (const std::size_t i : suppliesOf(flow))
   {

@@ -17,6 +17,9 @@ nlohmann::ordered_json describeCase(const CaseOfDirection& flow);
 /// Returns one entry of that list. `towards` is the direction the wind blows to; a room's entry leaves it out.
 nlohmann::ordered_json describeDirection(const CaseOfDirection& flow, double towards, const std::string& folder);
 
+/// Returns texts one after the other, only the first of many.
+std::string listed(const std::vector<std::string>& texts);
+
 /// Returns one sentence on the openings through which air enters and leaves the room.
 std::string summaryOfRoom(const CaseOfDirection& flow);
 

@@ -227,7 +227,7 @@ void writeScripts(const fs::path& folder, const Filling& filling)
 
 } // namespace
 
-void writeCaseFiles(const fs::path& folder, const CaseOfDirection& flow)
+void writeCaseFiles(const fs::path& folder, const CaseOfDirection& flow, Filling more)
 {
   Filling filling = fillingOf(flow);
   writeFields(folder, flow, filling);
@@ -236,6 +236,9 @@ void writeCaseFiles(const fs::path& folder, const CaseOfDirection& flow)
   addFlows(filling, flow);
   addWalls(filling, flow);
   addProbes(filling, flow.probes);
+  filling.facts.merge(more.facts);
+  more.values.merge(filling.values);
+  filling.values = std::move(more.values);
   writeDictionaries(folder, filling);
   writeScripts(folder, filling);
 }

@@ -6,9 +6,10 @@
 
 namespace atria {
 
-/// Writes the folders 0, constant and system, Allrun and Allclean. Throws Error if a condition rule names an unknown
-/// field or if a file cannot be written.
-void writeCaseFiles(const std::filesystem::path& folder, const CaseOfDirection& flow);
+/// Writes the folders 0, constant and system, Allrun and Allclean. Facts and values of `more` are added, and replace
+/// others. Throws
+/// Error if a condition rule names an unknown field or if a file cannot be written.
+void writeCaseFiles(const std::filesystem::path& folder, const CaseOfDirection& flow, Filling more = {});
 /// Writes Allrun and Allclean, which run those of the cases in `folders`.
 void writeRoseScripts(const std::filesystem::path& folder, const std::vector<std::string>& folders);
 

@@ -25,8 +25,44 @@ bool isSide(const CasePatch& patch)
          std::abs(patch.areaVector[2]) < uprightCosine * patch.area;
 }
 
-CasePatch measurePatch(const PolyMesh& poly, const PolyPatch& patch, const Buffer<Vec3>& areas)
+/// Returns the distance below which a share of the area lies. `distances` are pairs of a distance and an area, sorted.
+double quantile(const std::vector<std::pair<double, double>>& distances, double share)
 {
+  double rest = 0.0;
+  for (const auto& [distance, area] : distances)
+  {
+    rest += share * area;
+  }
+  for (const auto& [distance, area] : distances)
+  {
+    rest -= area;
+    if (rest <= 0.0)
+    {
+      return distance;
+    }
+  }
+  return 0.0;
+}
+
+CenterDistances measureCenters(const PolyMesh& poly, const PolyPatch& patch, const MeshGeometry& geometry)
+{
+  std::vector<std::pair<double, double>> distances;
+  for (const Index f : patch.faces)
+  {
+    const double area = geometry.faceAreas[f].norm();
+    const Vec3 way = geometry.faceCentroids[f] - geometry.cellCentroids[poly.mesh.owner[f]];
+    if (area > 0.0)
+    {
+      distances.emplace_back(way.dot(geometry.faceAreas[f]) / area, area);
+    }
+  }
+  std::ranges::sort(distances);
+  return {quantile(distances, 0.05), quantile(distances, 0.5)};
+}
+
+CasePatch measurePatch(const PolyMesh& poly, const PolyPatch& patch, const MeshGeometry& geometry)
+{
+  const Buffer<Vec3>& areas = geometry.faceAreas;
   CasePatch measured;
   measured.name = patch.name;
   measured.type = patch.type;
@@ -39,6 +75,7 @@ CasePatch measurePatch(const PolyMesh& poly, const PolyPatch& patch, const Buffe
       measured.bounds.extend(poly.mesh.points[p]);
     }
   }
+  measured.centers = measureCenters(poly, patch, geometry);
   return measured;
 }
 
@@ -173,7 +210,7 @@ CaseMesh describeMesh(const PolyMesh& poly, const RunContext& context)
   described.failedChecks = verdict.failedChecks();
   for (const PolyPatch& patch : poly.patches)
   {
-    described.patches.push_back(measurePatch(poly, patch, measured.geometry.faceAreas));
+    described.patches.push_back(measurePatch(poly, patch, measured.geometry));
   }
   findPatchesAtSides(poly, described.patches);
   describeZones(poly, measured.geometry, described);

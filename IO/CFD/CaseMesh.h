@@ -11,14 +11,22 @@
 
 namespace atria {
 
+/// Distances of the centers of a patch's cells from its faces, meters.
+struct CenterDistances
+{
+  double low = 0.0;    ///< 95 % of the area has larger ones
+  double median = 0.0; ///< by area
+};
+
 struct CasePatch
 {
   std::string name;
   std::string type;
   Vec3 areaVector = Vec3::Zero(); ///< sum over its faces, out of the mesh, square meters
   double area = 0.0;              ///< square meters
-  Box3 bounds;
+  Box3 bounds = {};
   bool meetsSides = false; ///< shares points with an upright, plane patch that is no wall
+  CenterDistances centers = {};
 
   /// Returns the share of the patch that faces one way, 0 to 1: 1 for a plane, 0 for a closed surface.
   double flatness() const { return area > 0.0 ? areaVector.norm() / area : 0.0; }

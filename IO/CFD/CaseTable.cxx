@@ -11,9 +11,9 @@ namespace {
 
 // Facts of a case and of its patches are added in CaseValues.cxx:
 //   opencfd (opencfd-1912, opencfd-2006), foundation (foundation-11, foundation-14); wind, room;
-//   kEpsilon, realizableKE, kOmegaSST; ageOfAir, parallel, walls, pedestrians;
+//   kEpsilon, realizableKE, kOmegaSST; ageOfAir, parallel, walls, pedestrians, checkProfile; emptyDomain;
 //   patches: inletBySpeed, inletByFlow, windInlet, windBothWays (a windInlet too), opening (of a room), outlet, slip,
-//   ground, wall, roughWall, constraint.
+//   ground (ownRoughness too if it has a roughness length of its own), wall, roughWall, constraint.
 // The name of a template ends with a dialect where other dialects have another template.
 // clang-format off
 
@@ -49,6 +49,7 @@ constexpr CaseRow files[] = {
   {"system/fvSchemes",                            "",                   "system/fvSchemes"},
   {"system/fvSolution",                           "meshOnly",           "mesh/fvSolution"},
   {"system/fvSolution",                           "",                   "system/fvSolution"},
+  {"system/blockMeshDict",                        "emptyDomain",        "emptyDomain/blockMeshDict"},
   {"system/decomposeParDict",                     "parallel",           "system/decomposeParDict"},
   {"Allrun",                                      "rose",               "rose/script"},
   {"Allrun",                                      "",                   "Allrun"},
@@ -93,6 +94,7 @@ constexpr CaseRow conditions[] = {
   {"omega",               "ground|wall|roughWall",      "boundary/omega/wall"},
 
   {"nut",                 "ground opencfd-2006",        "boundary/nut/ground.opencfd-2006"},
+  {"nut",                 "ownRoughness foundation-14", "boundary/nut/groundOfPatch.foundation-14"},
   {"nut",                 "ground foundation-14",       "boundary/nut/ground.foundation-14"},
   {"nut",                 "ground",                     "boundary/nut/ground"},
   {"nut",                 "wall",                       "boundary/nut/wall"},
@@ -134,6 +136,15 @@ constexpr CaseRow parts[] = {
   {"ageFunction",      "ageOfAir opencfd",    "functions/age.opencfd"},
   {"ageFunction",      "ageOfAir foundation", "functions/age.foundation"},
 
+  {"side",             "",                    "emptyDomain/side"},
+  {"profiles",         "emptyDomain",         "emptyDomain/profiles"},
+  {"probedPatch",      "opencfd",             "emptyDomain/probedPatch.opencfd"},
+  {"probedPatch",      "foundation",          "emptyDomain/probedPatch.foundation"},
+
+  {"runsBefore",       "checkProfile",        "emptyDomain/Allrun.case"},
+  {"runsBefore",       "emptyDomain",         "emptyDomain/Allrun.mesh"},
+  {"cleanedToo",       "checkProfile",        "emptyDomain/Allclean.case"},
+  {"cleanedToo",       "emptyDomain",         "emptyDomain/Allclean.mesh"},
   {"runs",             "parallel",            "Allrun.parallel"},
   {"runs",             "",                    "Allrun.serial"},
   {"runOfDirection",   "",                    "rose/direction"},

@@ -15,6 +15,12 @@ namespace {
 /// Kinematic viscosity and density of air at 15 degrees Celsius, m2/s and kg/m3.
 constexpr double airViscosity = 1.5e-5;
 constexpr double airDensity = 1.225;
+/// E of OpenFOAM's wall functions. Sand grains of this many roughness lengths give the same profile, with Cs = 1;
+/// Blocken, Stathopoulos and Carmeliet (2007), "CFD simulation of the atmospheric boundary layer: wall function
+/// problems", Atmospheric Environment 41, 238-252.
+constexpr double wallFunctionE = 9.8;
+/// Share of the domain's length from which a wall is a side of the domain.
+constexpr double lengthOfDomain = 0.99;
 /// Most iterations for the age of air each time it is written.
 constexpr int ageCorrectors = 200;
 /// Turbulence of air from a duct or a diffuser: speeds vary by a twentieth of their mean. Eddies have this share of the
@@ -132,8 +138,10 @@ void addFacts(Filling& filling, const CaseOfDirection& flow)
   const FlowCaseSettings& settings = flow.settings;
   filling.facts = {factOf(settings.dialect), isFoundation(settings.dialect) ? "foundation" : "opencfd",
                    flow.isRoom() ? "room" : "wind", modelName(settings.turbulence)};
-  const std::pair<const char*, bool> others[] = {
-      {"ageOfAir", settings.ageOfAir}, {"pedestrians", !flow.probes.empty()}, {"walls", !flow.walls().empty()}};
+  const std::pair<const char*, bool> others[] = {{"ageOfAir", settings.ageOfAir},
+                                                 {"pedestrians", !flow.probes.empty()},
+                                                 {"walls", !flow.walls().empty()},
+                                                 {"checkProfile", settings.checkProfile && !flow.isRoom()}};
   for (const auto& [fact, isTrue] : others)
   {
     if (isTrue)
@@ -198,6 +206,13 @@ void addSupply(Values& values, const CasePatch& patch, const Supply& supply)
   add(values, "inletOmega", its.omega);
 }
 
+void addRoughness(Filling& filling, double roughness)
+{
+  filling.facts.insert("ownRoughness");
+  add(filling.values, "roughness", roughness);
+  add(filling.values, "sandGrainOfGround", wallFunctionE * roughness);
+}
+
 } // namespace
 
 std::vector<std::string> CaseOfDirection::namesOf(PatchRole role) const
@@ -218,6 +233,22 @@ std::vector<std::string> CaseOfDirection::walls() const
   std::vector<std::string> names = namesOf(PatchRole::Wall);
   std::ranges::copy(namesOf(PatchRole::RoughWall), std::back_inserter(names));
   return names;
+}
+
+std::vector<std::size_t> CaseOfDirection::buildings() const
+{
+  const auto lengthOf = [&](const Box3& box) { return box.size().cwiseAbs().dot(wind.cwiseAbs()); };
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+  {
+    const bool isWall = choices[i].role == PatchRole::Wall || choices[i].role == PatchRole::RoughWall;
+    const Box3& bounds = mesh.patches[i].bounds;
+    if (isWall && !bounds.empty() && lengthOf(bounds) < lengthOfDomain * lengthOf(mesh.bounds))
+    {
+      found.push_back(i);
+    }
+  }
+  return found;
 }
 
 OrthogonalityRule ruleForAngle(double worst)
@@ -272,6 +303,10 @@ void addPatch(Filling& filling, const CaseOfDirection& flow, const CasePatch& pa
   {
     filling.facts.insert("windInlet");
     add(filling.values, "omegaOverHeight", omegaOverHeight(flow.settings.wind, patch));
+  }
+  if (choice.roughness)
+  {
+    addRoughness(filling, *choice.roughness);
   }
   if (choice.role == PatchRole::RoughWall)
   {

@@ -19,6 +19,11 @@ struct CaseOfDirection
   std::vector<std::string> namesOf(PatchRole role) const;
   /// Returns the names of all walls but the ground.
   std::vector<std::string> walls() const;
+  /// Returns the walls that are buildings, by index of the patch: all but those as long as the domain along the wind,
+  /// such as the sides of a wind tunnel.
+  std::vector<std::size_t> buildings() const;
+  /// Returns the roughness length of a Ground, meters.
+  double roughnessOf(const PatchChoice& choice) const { return choice.roughness.value_or(settings.wind.roughness); }
   bool isRoom() const { return settings.kind == FlowKind::Room; }
 };
 

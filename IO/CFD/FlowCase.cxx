@@ -4,8 +4,10 @@
 #include "CaseDescription.h"
 #include "CaseFiles.h"
 #include "Decomposition.h"
+#include "EmptyDomain.h"
 #include "FoamText.h"
 #include "Grid/Prism.h"
+#include "GroundRoughness.h"
 #include "OutputFolders.h"
 #include "Support/Error.h"
 
@@ -161,6 +163,14 @@ std::vector<std::string> closeEmptyOpenings(CaseOfDirection& flow)
   return warnings;
 }
 
+/// Returns the roughness length of the ground upstream if grounds have their own.
+std::optional<double> ownRoughnessUpstream(const PolyMesh& poly, const CaseOfDirection& flow)
+{
+  const bool hasOwn =
+      std::ranges::any_of(flow.choices, [](const PatchChoice& choice) { return choice.roughness.has_value(); });
+  return hasOwn ? roughnessUpstream(poly, flow) : std::nullopt;
+}
+
 /// Settles the kind and, for wind, the directions. A room has one "direction" of no length.
 void settleKind(const CaseMesh& mesh, FlowCaseSettings& settings)
 {
@@ -199,6 +209,7 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
   nlohmann::ordered_json report;
   WrittenCase written{settings.kind, {}, {}};
   Windless windless;
+  std::vector<Upstream> upstreams;
   removeProcessors(caseFolder); // they belong to another mesh or number of processors
   for (std::size_t d = 0; d < folders.size(); ++d)
   {
@@ -206,6 +217,9 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
     CaseOfDirection flow = chosen(mesh, settings, settings.directions[d]);
     std::vector<std::string> warnings = closeEmptyOpenings(flow);
     std::ranges::copy(warnOfSheets(flow), std::back_inserter(warnings));
+    std::ranges::copy(warnOfRoughness(flow), std::back_inserter(warnings));
+    const std::optional<double> upstream = ownRoughnessUpstream(poly, flow);
+    upstreams.push_back({folders[d], upstream.value_or(settings.wind.roughness)});
     for (const std::string& name : inletsWithoutWind(mesh, settings, flow.choices, flow.wind))
     {
       windless[name].push_back(folders[d]);
@@ -232,12 +246,18 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
     }
     addProcessors(folder, folders[d] != ".", settings.processors);
     report["directions"].push_back(describeDirection(flow, settings.directions[d], folders[d]));
+    removeEmptyDomain(folder);
+    if (settings.checkProfile && !flow.isRoom())
+    {
+      report["directions"].back()["empty_domain"] = writeEmptyDomain(folder, flow, upstream);
+    }
   }
   if (folders.size() > 1)
   {
     writeRoseScripts(caseFolder, folders);
   }
   writePlainFile(caseFolder / "case.json", report.dump(2) + "\n");
+  std::ranges::copy(warnOfUpstream(settings.wind, upstreams), std::back_inserter(written.warnings));
   std::ranges::copy(warnOfWindless(windless, folders), std::back_inserter(written.warnings));
   return written;
 }

@@ -66,7 +66,7 @@ enum class PatchRole
   Outlet,
   InletOutlet, ///< inlet where air comes in, outlet where it goes out
   Slip,
-  Ground, ///< a wall with the roughness length of the wind's profile
+  Ground, ///< a wall with a roughness length, that of the wind's profile or its own
   Wall,
   RoughWall, ///< with sand-grain roughness
   Constraint ///< a type of OpenFOAM's mesh that each field has too, such as symmetryPlane
@@ -79,6 +79,8 @@ struct PatchChoice
   /// Supply of an Inlet. Without it an inlet of a wind case has the wind's profile, and one of a room the room's
   /// supply.
   std::optional<Supply> supply = std::nullopt;
+  /// Roughness length of a Ground, meters. Without it a Ground has that of the wind's profile.
+  std::optional<double> roughness = std::nullopt;
 };
 
 /// A user's choice for patches whose name matches. The last of several matching rules holds.
@@ -113,6 +115,7 @@ struct FlowCaseSettings
   OpenFOAMFormat format = OpenFOAMFormat::Ascii; ///< for the processors' meshes
   double pedestrianHeight = 1.75;                ///< meters
   bool ageOfAir = false;
+  bool checkProfile = false; ///< adds an empty domain, which says how the wind's profile changes on its way
   std::vector<PatchRule> patchRules;
   std::vector<ConditionRule> conditionRules;
 };

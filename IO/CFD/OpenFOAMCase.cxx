@@ -158,7 +158,7 @@ std::string resultIn(const fs::path& caseFolder)
     {
       return name;
     }
-    const bool isPart = name.starts_with("processor") || name.starts_with("wind_");
+    const bool isPart = name.starts_with("processor") || name.starts_with("wind_") || name == emptyDomainFolder;
     if (const std::string result = isPart ? resultIn(entry.path()) : std::string(); !result.empty())
     {
       return name.append("/").append(result);

@@ -39,8 +39,11 @@ void checkLabels(const FaceMesh& mesh);
 /// adds an empty <case>.foam by which ParaView opens the case. Throws Error for a file that cannot be written.
 void completeCase(const std::filesystem::path& caseFolder);
 
+/// Folder of a case for its domain without buildings.
+inline constexpr const char* emptyDomainFolder = "empty_domain";
+
 /// Returns the path, within the case, of a result that a run has left, such as the fields of a later time. Also
-/// searches the folders of processors and wind directions. Returns an empty string if there is none.
+/// searches the folders of processors, wind directions and the empty domain. Returns an empty string if there is none.
 std::string resultIn(const std::filesystem::path& caseFolder);
 
 /// Throws Error unless `result`, from resultIn(), is empty: the result would be taken for one of another mesh or case.

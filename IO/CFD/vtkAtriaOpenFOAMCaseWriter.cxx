@@ -3,6 +3,7 @@
 
 #include "AlgorithmProgress.h"
 #include "FlowCase.h"
+#include "GroundRoughness.h"
 #include "OpenFOAMCase.h"
 #include "OutputFolders.h"
 #include "PropertyRange.h"
@@ -105,6 +106,25 @@ std::string vtkAtriaOpenFOAMCaseWriter::GetConditionRule(int i)
   return this->ConditionRules.at(static_cast<std::size_t>(i));
 }
 
+void vtkAtriaOpenFOAMCaseWriter::AddGroundRule(const char* rule)
+{
+  this->GroundRules.emplace_back(rule ? rule : "");
+  this->Modified();
+}
+
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllGroundRules()
+{
+  this->GroundRules.clear();
+  this->Modified();
+}
+
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfGroundRules() { return static_cast<int>(this->GroundRules.size()); }
+
+std::string vtkAtriaOpenFOAMCaseWriter::GetGroundRule(int i)
+{
+  return this->GroundRules.at(static_cast<std::size_t>(i));
+}
+
 void vtkAtriaOpenFOAMCaseWriter::CheckProperties()
 {
   this->Superclass::CheckProperties();
@@ -155,6 +175,11 @@ atria::FlowCaseSettings vtkAtriaOpenFOAMCaseWriter::GetSettings()
   {
     settings.patchRules.push_back(atria::patchRuleFrom(rule));
   }
+  for (const std::string& rule : this->GroundRules)
+  {
+    settings.patchRules.push_back(atria::groundRuleFrom(rule)); // after PatchRules: they hold over these
+  }
+  settings.checkProfile = this->CheckProfile;
   for (const std::string& rule : this->ConditionRules)
   {
     settings.conditionRules.push_back(atria::conditionRuleFrom(rule));
@@ -251,4 +276,9 @@ void vtkAtriaOpenFOAMCaseWriter::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "ConditionRule: " << rule << "\n";
   }
+  for (const std::string& rule : this->GroundRules)
+  {
+    os << indent << "GroundRule: " << rule << "\n";
+  }
+  os << indent << "CheckProfile: " << (this->CheckProfile ? "on" : "off") << "\n";
 }

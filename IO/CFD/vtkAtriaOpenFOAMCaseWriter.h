@@ -15,7 +15,8 @@
  * - ground: patches that close the domain below, also a wall that reaches its sides;
  * - walls: all others.
  *
- * PatchRules override this by name, ConditionRules give entries of one field.
+ * PatchRules override this by name, ConditionRules give entries of one field, and GroundRules make patches ground with
+ * roughness lengths of their own.
  *
  * A mesh whose sides are all walls, and whose openings are inlets and outlets by name or by PatchRules, becomes a room.
  * Each inlet blows along its own inward normal, by InletSpeed or InletFlowRate or its rule. Outlets have the pressure
@@ -30,7 +31,9 @@
  *
  * Besides the errors of vtkAtriaOpenFOAMWriter, these are errors: a rule that matches no patch, a mesh without a patch
  * that lets air in, or without one that lets it out, a room with wind angles, and a folder that holds results of a run.
- * Write() returns 0 then. Warnings report inlets that the wind does not enter, and sheets that blow from both sides.
+ * Write() returns 0 then. Warnings report inlets that the wind does not enter, sheets that blow from both sides,
+ * grounds whose roughness length is more than half of the height of the first cells, and a ground upstream that is
+ * rougher or smoother than the wind's profile by more than a factor of 2.
  *
  * @sa vtkAtriaOpenFOAMWriter
  */
@@ -239,6 +242,30 @@ public:
   std::string GetConditionRule(int i);
   ///@}
 
+  ///@{
+  /**
+   * Roughness lengths of grounds, as `PATTERN LENGTH` (meters) or `PATTERN KIND`: patches whose name matches become
+   * ground with that length, and all others keep RoughnessLength, also the wind's profile. Kinds are those of Davenport
+   * and Wieringa: water 0.0002, smooth 0.005, grass 0.03, crops 0.1, highCrops 0.25, parkland 0.5, suburb 1, forest 1,
+   * city 2. The last of several rules for a patch holds; ground rules hold over PatchRules. None by default.
+   */
+  void AddGroundRule(const char* rule);
+  void RemoveAllGroundRules();
+  int GetNumberOfGroundRules();
+  std::string GetGroundRule(int i);
+  ///@}
+
+  ///@{
+  /**
+   * Also write the folder `empty_domain`: a run of less than a minute for the domain without buildings, with cells as
+   * high as the mesh's at ground and top. It says how far the wind's profile changes before the buildings; `atria
+   * report` compares. Each wind direction has its own. Rooms have none. Off by default.
+   */
+  vtkSetMacro(CheckProfile, bool);
+  vtkGetMacro(CheckProfile, bool);
+  vtkBooleanMacro(CheckProfile, bool);
+  ///@}
+
   /**
    * Writes the case for an existing mesh: that of the OpenFOAM case in the folder `source`, which is copied unless it
    * is CaseDirectory. Inputs are not used. Returns 1, or 0 after an error.
@@ -280,6 +307,8 @@ private:
   bool AgeOfAir = false;
   std::vector<std::string> PatchRules;
   std::vector<std::string> ConditionRules;
+  std::vector<std::string> GroundRules;
+  bool CheckProfile = false;
 };
 
 #endif

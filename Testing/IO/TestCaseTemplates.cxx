@@ -99,7 +99,7 @@ protected:
                                                   {PatchRole::Inlet, 0.0, Supply{Supply::FlowRate, 1.0}}};
     mesh.bounds = {atria::Vec3(0, 0, 0), atria::Vec3(4, 3, 2)};
     mesh.openings.push_back({"Door", 2.0, {"hall", "outside"}});
-    for (std::size_t i = 0; i < choices.size() + 2; ++i)
+    for (std::size_t i = 0; i < choices.size() + 3; ++i)
     {
       mesh.patches.push_back({"side" + std::to_string(i), "patch", {1, 0, 0}, 1.0, mesh.bounds});
     }
@@ -128,6 +128,8 @@ protected:
     const bool isWind = kind == atria::FlowKind::Wind;
     choices.push_back({isWind ? PatchRole::Inlet : PatchRole::Wall});
     choices.push_back({isWind ? PatchRole::Ground : PatchRole::Wall});
+    choices.push_back(choices.back());
+    choices.back().roughness = isWind ? std::optional(0.03) : std::nullopt;
     const atria::Vec3 wind(isWind ? 1 : 0, 0, 0);
     flows.push_back({mesh, made, wind, choices, {atria::Vec3(1, 1, 1)}});
   }
@@ -149,7 +151,7 @@ protected:
     std::vector<Filling> fillings;
     for (const atria::CaseOfDirection& flow : flows)
     {
-      for (const char* fact : {"meshOnly", "rose", "bothWays", "age"})
+      for (const char* fact : {"meshOnly", "rose", "bothWays", "age", "checkProfile", "emptyDomain"})
       {
         fillings.push_back(atria::fillingOf(flow));
         fillings.back().facts.insert(fact);

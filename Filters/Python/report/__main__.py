@@ -72,6 +72,9 @@ def main(given=None) -> int:
     failures = [(run.title, failure) for run in case.runs for failure in run.failures()]
     for title, failure in failures:
         print(f"atria: warning: {title}: {failure}", file=sys.stderr)
+    for run in case.runs:
+        for doubt in run.profile.doubts() if run.profile else []:
+            print(f"atria: warning: {run.title}: {doubt}", file=sys.stderr)
     for error in errors:
         print(f"atria: error: {target} lacks a part: {error}", file=sys.stderr)
     return FAILED if errors else NOT_BELIEVABLE if failures else 0

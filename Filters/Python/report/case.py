@@ -14,6 +14,7 @@ import numpy
 from ..errors import Error
 from . import results, speeds
 from .fields import Fields
+from .profile import Profile
 from .results import History
 
 OUTSIDE = "outside"
@@ -54,11 +55,13 @@ class Direction:
     towards: float | None
     roles: dict[str, str]
     areas: dict[str, float]
+    empty_domain: dict | None = None
 
     @classmethod
     def read(cls, entry):
         numbers = [None if entry.get(key) is None else float(entry[key]) for key in ("from", "towards")]
-        return cls(entry["folder"], *numbers, dict(entry["patches"]), dict(entry.get("areas", {})))
+        return cls(entry["folder"], *numbers, dict(entry["patches"]), dict(entry.get("areas", {})),
+                   entry.get("empty_domain"))
 
 
 class Run:
@@ -69,6 +72,7 @@ class Run:
         self.folder = case.folder / direction.folder
         self.origin, self.towards, self.roles = direction.origin, direction.towards, direction.roles
         self.areas = direction.areas
+        self.profile = Profile(self.folder, direction.empty_domain) if direction.empty_domain else None
         log = next((self.folder / name for name in ("log.simpleFoam", "log.foamRun") if (self.folder / name).exists()), None)
         self.log = results.read_log(log) if log else None
         sides = [patch for patch, role in self.roles.items() if role in ("inlet", "outlet", "inletOutlet")]

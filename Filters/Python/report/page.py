@@ -81,6 +81,7 @@ def doubts(case, climate):
     for run in case.runs:
         prefix = f"{run.title}: " if len(case.runs) > 1 else ""
         found += [prefix + doubt for doubt in [*run.failures(), *run.doubts()]]
+        found += [prefix + doubt for doubt in run.profile.doubts()] if run.profile else []
     found += ["mesh: " + doubt for doubt in _doubts_of_mesh(case)]
     found += ["comfort: " + doubt for doubt in _doubts_of_comfort(case, climate)] if climate else []
     if case.is_room:
@@ -264,6 +265,32 @@ def mesh_and_wind(case):
     return "<h2>Mesh and wind</h2>" + _table(("", ""), rows)
 
 
+def _profile_rows(profile):
+    below = profile.heights <= max(profile.height_of_interest, profile.heights[0])
+    for height, *values in zip(profile.heights[below], *map(numpy.ravel, profile.speed + profile.k)):
+        yield [f"{value:.3g}" for value in (height, *values)]
+
+
+def _profile_of(run):
+    profile = run.profile
+    if not profile.ran:
+        return f"<p>The domain without buildings has not run: {html.escape(str(profile.folder / 'Allrun'))}.</p>"
+    facts = (f"<p>Largest changes below {profile.height_of_interest:.3g} m: of the speed {profile.change_of_speed()}, of the "
+             f"turbulence k {profile.change_of_k()}. The buildings begin {profile.fetch:.3g} m behind the inlet.</p>")
+    head = ("height, m", "speed at the inlet, m/s", "before the buildings", "k at the inlet, m²/s²", "before the buildings")
+    return facts + _table(head, _profile_rows(profile))
+
+
+def profiles(case):
+    """How the wind changes before the buildings, where the case has a domain without them."""
+    checked = [run for run in case.runs if run.profile]
+    if not checked:
+        return ""
+    text = ("<h2>The wind before the buildings</h2><p>In the domain without buildings the wind should stay as it is at the inlet "
+            "(Blocken, Stathopoulos and Carmeliet 2007).</p>")
+    return text + "".join(_folded(run.title, _profile_of(run), len(checked) > 1) for run in checked)
+
+
 def _converged(run):
     rows = [(html.escape(judged.name), f"{judged.history.last():.4g} {judged.unit}", f"{judged.history.spread():.2g}",
              f"{100 * judged.history.drift() / judged.scale:.2g} %" if judged.scale > 0 else "–", _judgement(judged.verdict))
@@ -315,6 +342,7 @@ def page_of(case, climate=None) -> str:
         pictures_of(case, view, ratios, fields_of),
         comfort_of(case, view, ratios, fields_of, climate),
         mesh_and_wind(case),
+        profiles(case),
         convergence(case),
         "</body></html>\n",
     ])
