@@ -230,15 +230,15 @@ void writeScripts(const fs::path& folder, const Filling& filling)
 void writeCaseFiles(const fs::path& folder, const CaseOfDirection& flow, Filling more)
 {
   Filling filling = fillingOf(flow);
+  filling.facts.merge(more.facts);
+  more.values.merge(filling.values);
+  filling.values = std::move(more.values);
   writeFields(folder, flow, filling);
   addFieldSchemes(filling);
   addFieldSolvers(filling);
   addFlows(filling, flow);
   addWalls(filling, flow);
   addProbes(filling, flow.probes);
-  filling.facts.merge(more.facts);
-  more.values.merge(filling.values);
-  filling.values = std::move(more.values);
   writeDictionaries(folder, filling);
   writeScripts(folder, filling);
 }

@@ -172,6 +172,15 @@ void addModel(Values& values, const CaseOfDirection& flow)
   add(values, "airDensity", airDensity);
 }
 
+/// Adds initial values: those of the typical turbulence, in air at rest.
+void addStart(Values& values, const CaseOfDirection& flow)
+{
+  const Turbulence typical = typicalTurbulence(flow);
+  add(values, "initialVelocity", "uniform " + foamVector(Vec3::Zero()));
+  add(values, "initialEpsilon", "uniform " + foamNumber(typical.epsilon));
+  add(values, "initialOmega", "uniform " + foamNumber(typical.omega));
+}
+
 void addSchemes(Values& values, double worstAngle)
 {
   const OrthogonalityRule rule = ruleForAngle(worstAngle);
@@ -279,6 +288,7 @@ Filling fillingOf(const CaseOfDirection& flow)
     addWind(filling.values, flow);
   }
   addModel(filling.values, flow);
+  addStart(filling.values, flow);
   addSchemes(filling.values, flow.mesh.worstNonOrthogonality);
   addRun(filling.values, flow);
   if (flow.settings.processors > 1)

@@ -18,11 +18,11 @@ namespace {
 
 /// Limits for the numbers of cells: the run takes less than a minute on one core, and the profile has enough cells.
 constexpr int leastUp = 10;
-constexpr int mostUp = 100;
+constexpr int mostUp = 60;
 constexpr int leastAlong = 20;
-constexpr int mostAlong = 100;
-/// Profiles no longer change after some 200 iterations.
-constexpr int mostIterations = 400;
+constexpr int mostAlong = 60;
+/// Profiles no longer change after some 100 iterations, as the run starts with the wind of the inlet.
+constexpr int mostIterations = 200;
 /// The profile is of interest up to this many heights of the buildings.
 constexpr double heightsOfInterest = 2.0;
 
@@ -215,6 +215,38 @@ double lastCenter(const EmptyDomain& domain)
   return (cells - 0.5) * domain.cellLength();
 }
 
+/// Returns a field of one value per cell, in blockMesh's order, from values over the height.
+std::string fieldOf(const EmptyDomain& domain, const char* type, const Lines& overHeight)
+{
+  std::string field =
+      std::string("nonuniform List<") + type + ">\n" + std::to_string(domain.cellsAlong * domain.grading.cells) + "\n(";
+  for (const std::string& value : overHeight)
+  {
+    for (int i = 0; i < domain.cellsAlong; ++i)
+    {
+      field.append("\n").append(value);
+    }
+  }
+  return field + "\n)";
+}
+
+/// Adds initial fields: the profile of the inlet everywhere.
+void addStart(Filling& filling, const EmptyDomain& domain, const WindProfile& wind)
+{
+  Lines velocity;
+  Lines epsilon;
+  Lines omega;
+  for (const double height : centersOf(domain.grading, domain.height))
+  {
+    velocity.push_back(foamVector(wind.velocity(height) * domain.wind));
+    epsilon.push_back(foamNumber(wind.dissipation(height)));
+    omega.push_back(foamNumber(wind.specificDissipation(height)));
+  }
+  filling.values["initialVelocity"] = {fieldOf(domain, "vector", velocity)};
+  filling.values["initialEpsilon"] = {fieldOf(domain, "scalar", epsilon)};
+  filling.values["initialOmega"] = {fieldOf(domain, "scalar", omega)};
+}
+
 Filling fillingOf(const EmptyDomain& domain, const Sides& sides)
 {
   Filling filling{{"emptyDomain"}, {}};
@@ -227,7 +259,6 @@ Filling fillingOf(const EmptyDomain& domain, const Sides& sides)
   values["cellsUp"] = {std::to_string(domain.grading.cells)};
   values["topOverFirst"] = {foamNumber(domain.grading.topOverFirst)};
   values["sides"] = boundaryOf(sides);
-  values["flows"] = {}; // they are known
   values["inlet"] = {sides.mesh.patches[0].name};
   values["placesAtInlet"] = column(domain, 0.0);
   values["placesAtBuildings"] = column(domain, lastCenter(domain));
@@ -332,7 +363,9 @@ nlohmann::ordered_json writeEmptyDomain(const std::filesystem::path& folder, con
   const Sides sides = sidesOf(flow, domain, roughness);
   const FlowCaseSettings settings = settingsOf(flow);
   const CaseOfDirection empty{sides.mesh, settings, flow.wind, sides.choices, {}};
-  writeCaseFiles(folder / emptyDomainFolder, empty, fillingOf(domain, sides));
+  Filling filling = fillingOf(domain, sides);
+  addStart(filling, domain, settings.wind);
+  writeCaseFiles(folder / emptyDomainFolder, empty, std::move(filling));
   writePlainFile(folder / emptyDomainFolder / markerName(), "");
   return {{"folder", emptyDomainFolder},
           {"fetch", domain.fetch},

@@ -183,7 +183,7 @@ TEST(Gradings, KeepTheFirstCell)
     const std::vector<double> centers = atria::centersOf(atria::gradingOf(height, first, top), height);
     EXPECT_NEAR(centers.front() / (0.5 * first), 1.0, 1e-6);
     EXPECT_GE(centers.size(), 10u);
-    EXPECT_LE(centers.size(), 100u);
+    EXPECT_LE(centers.size(), 60u);
   }
 }
 
