@@ -58,12 +58,12 @@ class Profiles(BoxCase):
 
     def test_grounds_by_name(self):
         folder, messages = self.case("grounds", "--roughness", "0.1", "--ground", "*a*d", "0.07", "--ground", "lawn", "crops",
-                                     "--ground", "road", "smooth")
+                                     "--ground", "road", "grass")
         self.assertEqual(messages, "")
-        self.assertEqual([self.roughness_of(folder, patch) for patch in ("lawn", "road", "yard")], ["0.1", "0.005", "0.07"])
+        self.assertEqual([self.roughness_of(folder, patch) for patch in ("lawn", "road", "yard")], ["0.1", "0.03", "0.07"])
         direction = self.described(folder)[0]
         self.assertEqual([direction["patches"][patch] for patch in ("lawn", "road", "yard")], ["ground"] * 3)
-        self.assertEqual(direction["roughness_lengths"], {"lawn": 0.1, "road": 0.005, "yard": 0.07})
+        self.assertEqual(direction["roughness_lengths"], {"lawn": 0.1, "road": 0.03, "yard": 0.07})
         self.assertIn("z0              uniform 0.1;", (folder / "0/U").read_text())  # of the inlet
 
     def test_what_is_refused(self):
