@@ -58,6 +58,7 @@ struct Options
   std::vector<std::pair<std::string, std::string>> patchRules;
   std::vector<std::tuple<std::string, std::string, std::string>> conditions;
   std::vector<std::pair<std::string, std::string>> grounds;
+  std::vector<std::tuple<std::string, std::string, std::string>> scalars;
 };
 
 constexpr const char* examples = R"(Examples:
@@ -216,6 +217,14 @@ void declareRun(CLI::App& command, Options& options)
       ->type_name("N");
   command.add_flag("--age-of-air", options.age, "Also compute the age of the air, seconds since it came in");
   command
+      .add_option(
+          "--scalar", options.scalars,
+          "Also compute what the air carries, such as CO2 or smoke: a source per second in the cell zones or on "
+          "the walls whose name matches (CO2 Office 5e-6/s), or the concentration of the air that comes in "
+          "there (CO2 Inlet 400e-6); may be repeated, sources add up")
+      ->allow_extra_args(false)
+      ->type_name("NAME PATTERN AMOUNT");
+  command
       .add_option("--pedestrian-height", options.pedestrian,
                   "Height above the ground where speeds are measured, meters")
       ->capture_default_str()
@@ -287,6 +296,10 @@ void configure(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, const
     rule << std::quoted(pattern) << ' ' << rest;
     return rule.str();
   };
+  for (const auto& [name, pattern, amount] : options.scalars)
+  {
+    writer->AddScalarRule((name + " " + text(pattern, amount)).c_str());
+  }
   for (const auto& [pattern, role] : options.patchRules)
   {
     writer->AddPatchRule(text(pattern, role).c_str());

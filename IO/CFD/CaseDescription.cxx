@@ -71,6 +71,16 @@ void describeRoom(const CaseOfDirection& flow, Json& report)
   report["reference_speed"] = supplySpeed(flow);
 }
 
+void describeScalars(const CaseOfDirection& flow, Json& report)
+{
+  for (const CaseScalar& scalar : flow.scalars)
+  {
+    Json sources = scalar.zones;
+    sources.update(scalar.surfaces);
+    report["scalars"].push_back({{"name", scalar.name}, {"sources", sources}, {"incoming", scalar.incoming}});
+  }
+}
+
 /// Returns a number with three digits.
 std::string shortNumber(double value)
 {
@@ -119,6 +129,7 @@ Json describeCase(const CaseOfDirection& flow)
   {
     report["rooms"].push_back({{"name", room.name}, {"volume", room.volume}});
   }
+  describeScalars(flow, report);
   report["directions"] = Json::array();
   return report;
 }

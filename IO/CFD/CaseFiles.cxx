@@ -30,14 +30,15 @@ std::string alternatives(const std::vector<std::string>& names)
 // Fields and their boundary conditions
 
 std::string fileOf(const CaseField& field) { return "0/" + std::string(field.name); }
+std::string rowOfFile(const CaseField& field) { return "0/" + std::string(field.row); }
 
 /// Returns the fields that have a file.
-std::vector<CaseField> writtenFields(const Filling& filling)
+std::vector<CaseField> writtenFields(const CaseOfDirection& flow, const Filling& filling)
 {
   std::vector<CaseField> written;
-  for (const CaseField& field : caseFields())
+  for (const CaseField& field : fieldsOf(flow))
   {
-    if (holds(field.when, filling) && rowOf(caseFiles(), fileOf(field), filling))
+    if (holds(field.when, filling) && rowOf(caseFiles(), rowOfFile(field), filling))
     {
       written.push_back(field);
     }
@@ -63,17 +64,27 @@ void checkFieldNames(const std::vector<ConditionRule>& rules, const std::vector<
   }
 }
 
+Filling ofField(Filling filling, const CaseOfDirection& flow, const CaseField& field, std::size_t patch)
+{
+  if (const CaseScalar* const scalar = scalarOf(flow, field))
+  {
+    addScalarAt(filling, *scalar, flow.mesh.patches[patch]);
+  }
+  return filling;
+}
+
 /// Returns the dictionaries of a field's patches, except those that are as all walls.
-Lines patchesOf(const std::string& field, const CaseOfDirection& flow, std::vector<Filling>& fillings)
+Lines patchesOf(const CaseField& field, const CaseOfDirection& flow, const std::vector<Filling>& fillings)
 {
   Lines lines;
   for (std::size_t i = 0; i < flow.choices.size(); ++i)
   {
-    const ConditionRule* const rule = conditionOf(flow.settings, field, flow.mesh.patches[i].name);
-    if (rule || flow.choices[i].role != PatchRole::Wall)
+    const ConditionRule* const rule = conditionOf(flow.settings, std::string(field.name), flow.mesh.patches[i].name);
+    Filling its = ofField(fillings[i], flow, field, i);
+    if (rule || flow.choices[i].role != PatchRole::Wall || its.facts.contains("surfaceSource"))
     {
-      fillings[i].values["condition"] = rule ? Lines{rule->entries} : textOf(caseConditions(), field, fillings[i]);
-      append(lines, textOf(caseParts(), "namedPatch", fillings[i]));
+      its.values["condition"] = rule ? Lines{rule->entries} : textOf(caseConditions(), field.row, its);
+      append(lines, textOf(caseParts(), "namedPatch", its));
     }
   }
   return lines;
@@ -88,15 +99,14 @@ void writeFields(const fs::path& folder, const CaseOfDirection& flow, const Fill
   {
     addPatch(patches[i], flow, flow.mesh.patches[i], flow.choices[i]);
   }
-  const std::vector<CaseField> fields = writtenFields(filling);
+  const std::vector<CaseField> fields = writtenFields(flow, filling);
   checkFieldNames(flow.settings.conditionRules, fields);
   for (const CaseField& field : fields)
   {
-    const std::string name(field.name);
     Filling its = filling;
-    its.values["conditionOfWalls"] = textOf(caseConditions(), name, walls);
-    its.values["patches"] = patchesOf(name, flow, patches);
-    writeFoamFile(folder, fileOf(field), field.className, textOf(caseFiles(), fileOf(field), its));
+    its.values["conditionOfWalls"] = textOf(caseConditions(), field.row, walls);
+    its.values["patches"] = patchesOf(field, flow, patches);
+    writeFoamFile(folder, fileOf(field), field.className, textOf(caseFiles(), rowOfFile(field), its));
   }
 }
 
@@ -110,11 +120,11 @@ Filling withField(Filling filling, const CaseField& field)
 }
 
 /// Adds what fvSchemes lists by field.
-void addFieldSchemes(Filling& filling)
+void addFieldSchemes(Filling& filling, const std::vector<CaseField>& fields)
 {
   Lines schemes;
   std::vector<std::string> turbulence;
-  for (const CaseField& field : caseFields())
+  for (const CaseField& field : fields)
   {
     const bool isTurbulence = field.kind == FieldKind::Turbulence;
     if (holds(field.when, filling) && (isTurbulence || field.kind == FieldKind::Scalar))
@@ -131,12 +141,12 @@ void addFieldSchemes(Filling& filling)
 }
 
 /// Adds what fvSolution lists by field. Entries of fields that a case lacks do no harm.
-void addFieldSolvers(Filling& filling)
+void addFieldSolvers(Filling& filling, const std::vector<CaseField>& fields)
 {
   std::vector<std::string> alike;
   Lines others;
   Lines relaxations;
-  for (const CaseField& field : caseFields())
+  for (const CaseField& field : fields)
   {
     const Filling its = withField(filling, field);
     const Lines solver = textOf(caseParts(), "fieldSolver", its);
@@ -161,7 +171,19 @@ Lines flowFunction(Filling filling, const std::string& function, const std::stri
   filling.values["function"] = {function + "_" + name};
   filling.values["regionType"] = {type};
   filling.values["region"] = {name};
-  return textOf(caseParts(), "flowFunction", filling);
+  return textOf(caseParts(), filling.facts.contains("carried") ? "scalarFlow" : "flowFunction", filling);
+}
+
+/// Returns the names of the patches that air passes.
+std::vector<std::string> passagesOf(const CaseOfDirection& flow)
+{
+  std::vector<std::string> names;
+  for (const PatchRole role : {PatchRole::Inlet, PatchRole::Outlet, PatchRole::InletOutlet})
+  {
+    const std::vector<std::string> more = flow.namesOf(role);
+    names.insert(names.end(), more.begin(), more.end());
+  }
+  return names;
 }
 
 /// Adds the functions of all flows. With signs and without, the sums of an opening give what flows either way.
@@ -175,14 +197,47 @@ void addFlows(Filling& filling, const CaseOfDirection& flow)
     append(flows, flowFunction(filling, "flow", "faceZone", opening.name));
     append(flows, flowFunction(bothWays, "flowBothWays", "faceZone", opening.name));
   }
-  for (const PatchRole role : {PatchRole::Inlet, PatchRole::Outlet, PatchRole::InletOutlet})
+  for (const std::string& patch : passagesOf(flow))
   {
-    for (const std::string& patch : flow.namesOf(role))
-    {
-      append(flows, flowFunction(filling, "flow", "patch", patch));
-    }
+    append(flows, flowFunction(filling, "flow", "patch", patch));
   }
   filling.values["flows"] = flows;
+}
+
+/// Returns the sources of a scalar in cell zones.
+Lines sourcesOf(const CaseScalar& scalar, Filling filling)
+{
+  Lines sources;
+  for (const auto& [zone, amount] : scalar.zones)
+  {
+    filling.values["zone"] = {zone};
+    filling.values["amountOfSource"] = {foamNumber(amount)};
+    append(sources, textOf(caseParts(), "scalarSource", filling));
+  }
+  return sources;
+}
+
+/// Adds the functions that carry scalars along, and sum what flows through patches. OpenCFD's have the sources in them,
+/// the Foundation's take them from fvModels.
+void addScalars(Filling& filling, const CaseOfDirection& flow)
+{
+  Lines functions;
+  Lines models;
+  for (const CaseScalar& scalar : flow.scalars)
+  {
+    Filling its = filling;
+    its.facts.insert("carried");
+    its.values["scalar"] = {scalar.name};
+    its.values["sourcesOfScalar"] = sourcesOf(scalar, its);
+    append(functions, textOf(caseParts(), "scalarFunction", its));
+    append(models, its.values["sourcesOfScalar"]);
+    for (const std::string& patch : passagesOf(flow))
+    {
+      append(functions, flowFunction(its, "flow_" + scalar.name, "patch", patch));
+    }
+  }
+  filling.values["scalarFunctions"] = functions;
+  filling.values["fvModels"] = models;
 }
 
 void addWalls(Filling& filling, const CaseOfDirection& flow)
@@ -234,9 +289,10 @@ void writeCaseFiles(const fs::path& folder, const CaseOfDirection& flow, Filling
   more.values.merge(filling.values);
   filling.values = std::move(more.values);
   writeFields(folder, flow, filling);
-  addFieldSchemes(filling);
-  addFieldSolvers(filling);
+  addFieldSchemes(filling, fieldsOf(flow));
+  addFieldSolvers(filling, fieldsOf(flow));
   addFlows(filling, flow);
+  addScalars(filling, flow);
   addWalls(filling, flow);
   addProbes(filling, flow.probes);
   writeDictionaries(folder, filling);

@@ -13,7 +13,8 @@ namespace {
 //   opencfd (opencfd-1912, opencfd-2006), foundation (foundation-11, foundation-14); wind, room;
 //   kEpsilon, realizableKE, kOmegaSST; ageOfAir, parallel, walls, pedestrians, checkProfile; emptyDomain;
 //   patches: inletBySpeed, inletByFlow, windInlet, windBothWays (a windInlet too), opening (of a room), outlet, slip,
-//   ground (ownRoughness too if it has a roughness length of its own), wall, roughWall, constraint.
+//   ground (ownRoughness too if it has a roughness length of its own), wall, roughWall, constraint; surfaceSource of a
+//   passive scalar.
 // The name of a template ends with a dialect where other dialects have another template.
 // clang-format off
 
@@ -37,12 +38,14 @@ constexpr CaseRow files[] = {
   {"0/epsilon",                                   "",                   "0/epsilon"},
   {"0/omega",                                     "",                   "0/omega"},
   {"0/age",                                       "opencfd",            "0/age"}, // the Foundation's function makes it
+  {"0/scalar",                                    "",                   "0/scalar"}, // of each passive scalar
   {"constant/transportProperties",                "opencfd",            "constant/transportProperties"},
   {"constant/physicalProperties",                 "foundation",         "constant/physicalProperties"},
   {"constant/turbulenceProperties",               "opencfd",            "constant/turbulenceProperties"},
   {"constant/momentumTransport",                  "foundation-11",      "constant/momentumTransport"},
   {"constant/momentumTransport",                  "foundation-14",      "constant/momentumTransport.foundation-14"},
   {"constant/atmosphericBoundaryLayerProperties", "foundation-14 wind", "constant/atmosphericBoundaryLayerProperties"},
+  {"constant/fvModels",                           "fvModels",           "constant/fvModels"},
   {"system/controlDict",                          "meshOnly",           "mesh/controlDict"},
   {"system/controlDict",                          "",                   "system/controlDict"},
   {"system/fvSchemes",                            "meshOnly",           "mesh/fvSchemes"},
@@ -103,6 +106,10 @@ constexpr CaseRow conditions[] = {
 
   {"age",                 "slip|ground|wall|roughWall", "boundary/zeroGradient"},
   {"age",                 "",                           "boundary/age/outlet"},
+
+  {"scalar",              "surfaceSource",              "boundary/scalar/source"},
+  {"scalar",              "slip|ground|wall|roughWall", "boundary/zeroGradient"},
+  {"scalar",              "",                           "boundary/scalar/opening"},
 };
 
 constexpr CaseRow parts[] = {
@@ -135,6 +142,13 @@ constexpr CaseRow parts[] = {
   {"average",          "foundation",          "functions/average.foundation"},
   {"ageFunction",      "ageOfAir opencfd",    "functions/age.opencfd"},
   {"ageFunction",      "ageOfAir foundation", "functions/age.foundation"},
+  {"scalarFunction",   "opencfd",             "functions/scalar.opencfd"},
+  {"scalarFunction",   "foundation",          "functions/scalar.foundation"},
+  {"scalarSource",     "opencfd",             "functions/scalarSource.opencfd"},
+  {"scalarSource",     "foundation",          "functions/scalarSource.foundation"},
+  {"scalarFlow",       "",                    "functions/scalarFlow"},
+  {"scalarSum",        "opencfd",             "functions/scalarSum.opencfd"},
+  {"scalarSum",        "foundation",          "functions/scalarSum.foundation"},
 
   {"side",             "",                    "emptyDomain/side"},
   {"profiles",         "emptyDomain",         "emptyDomain/profiles"},

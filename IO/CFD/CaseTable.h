@@ -38,7 +38,8 @@ struct CaseField
   std::string_view name;
   std::string_view className;
   FieldKind kind;
-  std::string_view when; ///< facts as in CaseRow
+  std::string_view when;       ///< facts as in CaseRow
+  std::string_view row = name; ///< its name in the table; all passive scalars have one
 };
 std::span<const CaseField> caseFields();
 

@@ -28,6 +28,10 @@ constexpr int ageCorrectors = 200;
 constexpr double supplyIntensity = 0.05;
 constexpr double eddyShare = 0.07;
 
+/// Diffusivity of a scalar over the viscosity: of CO2 in air, and for the eddies, 1 over the Schmidt number of 0.7.
+constexpr double molecularDiffusivity = 1.0;
+constexpr double turbulentDiffusivity = 1.0 / 0.7;
+
 using Values = std::map<std::string, Lines, std::less<>>;
 
 void add(Values& values, const char* name, const std::string& value) { values[name] = {value}; }
@@ -133,12 +137,20 @@ const char* factOf(const CaseOfDirection& flow, const PatchChoice& choice)
   }
 }
 
+/// True if the Foundation's file fvModels has entries.
+bool hasModels(const CaseOfDirection& flow)
+{
+  return isFoundation(flow.settings.dialect) &&
+         std::ranges::any_of(flow.scalars, [](const CaseScalar& scalar) { return !scalar.zones.empty(); });
+}
+
 void addFacts(Filling& filling, const CaseOfDirection& flow)
 {
   const FlowCaseSettings& settings = flow.settings;
   filling.facts = {factOf(settings.dialect), isFoundation(settings.dialect) ? "foundation" : "opencfd",
                    flow.isRoom() ? "room" : "wind", modelName(settings.turbulence)};
   const std::pair<const char*, bool> others[] = {{"ageOfAir", settings.ageOfAir},
+                                                 {"fvModels", hasModels(flow)},
                                                  {"pedestrians", !flow.probes.empty()},
                                                  {"walls", !flow.walls().empty()},
                                                  {"checkProfile", settings.checkProfile && !flow.isRoom()}};
@@ -170,6 +182,8 @@ void addModel(Values& values, const CaseOfDirection& flow)
   add(values, "omega", typical.omega);
   add(values, "airViscosity", airViscosity);
   add(values, "airDensity", airDensity);
+  add(values, "molecularDiffusivity", molecularDiffusivity);
+  add(values, "turbulentDiffusivity", turbulentDiffusivity);
 }
 
 /// Adds initial values: those of the typical turbulence, in air at rest.
@@ -223,6 +237,22 @@ void addRoughness(Filling& filling, double roughness)
 }
 
 } // namespace
+
+std::vector<CaseField> fieldsOf(const CaseOfDirection& flow)
+{
+  std::vector<CaseField> fields(caseFields().begin(), caseFields().end());
+  for (const CaseScalar& scalar : flow.scalars)
+  {
+    fields.push_back({scalar.name, "volScalarField", FieldKind::Scalar, "", "scalar"});
+  }
+  return fields;
+}
+
+const CaseScalar* scalarOf(const CaseOfDirection& flow, const CaseField& field)
+{
+  const auto found = std::ranges::find(flow.scalars, field.name, &CaseScalar::name);
+  return found == flow.scalars.end() ? nullptr : &*found;
+}
 
 std::vector<std::string> CaseOfDirection::namesOf(PatchRole role) const
 {
@@ -322,6 +352,17 @@ void addPatch(Filling& filling, const CaseOfDirection& flow, const CasePatch& pa
   {
     add(filling.values, "sandGrain", choice.sandGrain);
   }
+}
+
+void addScalarAt(Filling& filling, const CaseScalar& scalar, const CasePatch& patch)
+{
+  if (const auto source = scalar.surfaces.find(patch.name); source != scalar.surfaces.end())
+  {
+    filling.facts.insert("surfaceSource");
+    add(filling.values, "fluxOfSource", source->second / patch.area);
+  }
+  const auto incoming = scalar.incoming.find(patch.name);
+  add(filling.values, "incoming", incoming == scalar.incoming.end() ? 0.0 : incoming->second);
 }
 
 } // namespace atria

@@ -15,6 +15,7 @@ struct CaseOfDirection
   Vec3 wind;                        ///< length 1; zero in a room
   std::vector<PatchChoice> choices; ///< one per patch
   std::vector<Vec3> probes;
+  std::vector<CaseScalar> scalars = {};
 
   std::vector<std::string> namesOf(PatchRole role) const;
   /// Returns the names of all walls but the ground.
@@ -47,9 +48,16 @@ OrthogonalityRule ruleForAngle(double worstNonOrthogonality);
 /// Returns OpenFOAM's name, which is also a fact.
 const char* modelName(TurbulenceModel model);
 
+/// Returns the fields of a case: those of all cases, and its scalars. Some have no file.
+std::vector<CaseField> fieldsOf(const CaseOfDirection& flow);
+/// Returns the scalar of a field, or null.
+const CaseScalar* scalarOf(const CaseOfDirection& flow, const CaseField& field);
+
 /// Returns what all templates of the case may name. Each patch has a copy, so long lists are not in it.
 Filling fillingOf(const CaseOfDirection& flow);
 /// Adds what boundary conditions of a patch may name.
 void addPatch(Filling& filling, const CaseOfDirection& flow, const CasePatch& patch, const PatchChoice& choice);
+/// Adds what boundary conditions of a patch may name for a scalar.
+void addScalarAt(Filling& filling, const CaseScalar& scalar, const CasePatch& patch);
 
 } // namespace atria

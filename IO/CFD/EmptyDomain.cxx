@@ -276,7 +276,11 @@ FlowCaseSettings settingsOf(const CaseOfDirection& flow)
   settings.processors = 1;
   settings.ageOfAir = false;
   settings.checkProfile = false;
-  std::erase_if(settings.conditionRules, [](const ConditionRule& rule) { return rule.field == "age"; });
+  // The channel carries no age and no scalars.
+  std::erase_if(settings.conditionRules, [](const ConditionRule& rule) {
+    const auto found = std::ranges::find(caseFields(), rule.field, &CaseField::name);
+    return found == caseFields().end() || found->kind == FieldKind::Scalar;
+  });
   return settings;
 }
 

@@ -216,6 +216,7 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
     const fs::path folder = folders[d] == "." ? caseFolder : caseFolder / folders[d];
     CaseOfDirection flow = chosen(mesh, settings, settings.directions[d]);
     std::vector<std::string> warnings = closeEmptyOpenings(flow);
+    flow.scalars = caseScalars(mesh, settings, flow.choices);
     std::ranges::copy(warnOfSheets(flow), std::back_inserter(warnings));
     std::ranges::copy(warnOfRoughness(flow), std::back_inserter(warnings));
     const std::optional<double> upstream = ownRoughnessUpstream(poly, flow);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "CaseMesh.h"
+#include "CaseScalars.h"
 #include "OpenFOAMFile.h"
 #include "Support/RunContext.h"
 #include "WindProfile.h"
@@ -94,7 +95,7 @@ struct PatchRule
 struct ConditionRule
 {
   std::string pattern;
-  std::string field;   ///< U, p, k, epsilon, omega, nut, age
+  std::string field;   ///< U, p, k, epsilon, omega, nut, age, or a scalar
   std::string entries; ///< as in a dictionary, such as "type fixedValue; value uniform (1 0 0);"
 };
 
@@ -116,6 +117,7 @@ struct FlowCaseSettings
   double pedestrianHeight = 1.75;                ///< meters
   bool ageOfAir = false;
   bool checkProfile = false; ///< adds an empty domain, which says how the wind's profile changes on its way
+  std::vector<ScalarRule> scalarRules;
   std::vector<PatchRule> patchRules;
   std::vector<ConditionRule> conditionRules;
 };

@@ -71,6 +71,25 @@ int vtkAtriaOpenFOAMCaseWriter::GetNumberOfWindAngles() { return static_cast<int
 
 double vtkAtriaOpenFOAMCaseWriter::GetWindAngle(int i) { return this->WindAngles.at(static_cast<std::size_t>(i)); }
 
+void vtkAtriaOpenFOAMCaseWriter::AddScalarRule(const char* rule)
+{
+  this->ScalarRules.emplace_back(rule ? rule : "");
+  this->Modified();
+}
+
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllScalarRules()
+{
+  this->ScalarRules.clear();
+  this->Modified();
+}
+
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfScalarRules() { return static_cast<int>(this->ScalarRules.size()); }
+
+std::string vtkAtriaOpenFOAMCaseWriter::GetScalarRule(int i)
+{
+  return this->ScalarRules.at(static_cast<std::size_t>(i));
+}
+
 void vtkAtriaOpenFOAMCaseWriter::AddPatchRule(const char* rule)
 {
   this->PatchRules.emplace_back(rule ? rule : "");
@@ -171,6 +190,10 @@ atria::FlowCaseSettings vtkAtriaOpenFOAMCaseWriter::GetSettings()
   settings.format = this->GetFormat();
   settings.pedestrianHeight = this->PedestrianHeight;
   settings.ageOfAir = this->AgeOfAir;
+  for (const std::string& rule : this->ScalarRules)
+  {
+    settings.scalarRules.push_back(atria::scalarRuleFrom(rule));
+  }
   for (const std::string& rule : this->PatchRules)
   {
     settings.patchRules.push_back(atria::patchRuleFrom(rule));
@@ -268,6 +291,10 @@ void vtkAtriaOpenFOAMCaseWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
   os << indent << "PedestrianHeight: " << this->PedestrianHeight << "\n";
   os << indent << "AgeOfAir: " << (this->AgeOfAir ? "on" : "off") << "\n";
+  for (const std::string& rule : this->ScalarRules)
+  {
+    os << indent << "ScalarRule: " << rule << "\n";
+  }
   for (const std::string& rule : this->PatchRules)
   {
     os << indent << "PatchRule: " << rule << "\n";

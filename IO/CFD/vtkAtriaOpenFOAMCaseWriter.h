@@ -220,6 +220,19 @@ public:
 
   ///@{
   /**
+   * Passive scalars that the air carries, such as CO2 or smoke, as `NAME PATTERN AMOUNT`. An amount with `/s` is a
+   * source, units per second, spread over the volume of the cell zones that match the pattern, or else over the area of
+   * the walls: `CO2 Office 5e-6/s`. An amount without it is the concentration of the air that comes in there: `CO2
+   * Inlet 400e-6`. Several sources of one scalar add up. None by default.
+   */
+  void AddScalarRule(const char* rule);
+  void RemoveAllScalarRules();
+  int GetNumberOfScalarRules();
+  std::string GetScalarRule(int i);
+  ///@}
+
+  ///@{
+  /**
    * Roles of patches, as `PATTERN ROLE`. The pattern (* and ? stand for text) is in double quotes if it holds blanks.
    * Roles are inlet, inlet:AMOUNT (which blows along its normal; m/s, m3/s, m3/h or l/s, such as inlet:0.5m/s), outlet,
    * inletOutlet (by the flow), slip, ground, wall or rough:SIZE (a wall with sand grains of that height, meters). The
@@ -234,7 +247,7 @@ public:
   ///@{
   /**
    * Conditions of patches in one field, as `PATTERN FIELD ENTRIES`, such as `Fan* U type fixedValue; value uniform (1 0
-   * 0);`. Fields are U, p, k, epsilon or omega, nut and age. None by default.
+   * 0);`. Fields are U, p, k, epsilon or omega, nut, age and scalars. None by default.
    */
   void AddConditionRule(const char* rule);
   void RemoveAllConditionRules();
@@ -305,6 +318,7 @@ private:
   int NumberOfIterations = 1000;
   double PedestrianHeight = 1.75;
   bool AgeOfAir = false;
+  std::vector<std::string> ScalarRules;
   std::vector<std::string> PatchRules;
   std::vector<std::string> ConditionRules;
   std::vector<std::string> GroundRules;

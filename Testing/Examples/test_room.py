@@ -251,6 +251,34 @@ class Room(unittest.TestCase):
         shutil.rmtree(folder / "5")
         self.assertIn("no fields of a run", self.report(folder, 3))
 
+    def test_places_of_scalars_are_checked(self):
+        room = self.box(SEVERAL)
+        self.refuses(3, "did you mean 'Supply_1'?", room, "--scalar", "CO2", "Suply_1", "4e-4")
+        self.refuses(3, "air flows through 'Return'", room, "--scalar", "CO2", "Return", "1/s")
+        self.refuses(3, "add up to nothing", room, "--scalar", "CO2", "Walls", "0/s")
+        config = self.folder / "case.toml"
+        self.assertEqual(self.atria("case", "--scalar", "CO2", "Supply*", "4e-4", "--write-config", config).returncode, 0)
+        folder = self.case(room, "--config", config)
+        self.assertEqual(self.described(folder)["scalars"], [{"name": "CO2", "sources": {}, "incoming": {"Supply_1": 4e-4,
+                                                                                                       "Supply_2": 4e-4}}])
+
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_what_comes_into_the_air_leaves_with_it(self):
+        """Sources in a zone and on walls, and what comes in: the concentration at the outlets is the sum over the flow."""
+        room = self.folder / "zoned"
+        write_box(room, COUNTS, BOUNDS, zone_at=4, patch_of=openings(**SEVERAL))
+        folder = self.case(room, "--inlet-speed", "0.5", "--iterations", "250", "--scalar", "CO2", "hall", "5e-6/s", "--scalar", "CO2",
+                           "Supply*", "4e-4", "--scalar", "dust", "Walls", "2e-3/s", "--scalar", "dust", "hall", "1e-3/s")
+        self.run_case(folder)
+        self.report(folder)
+        run = Case(folder).runs[0]
+        flow = 0.5 * 1.5
+        self.assertAlmostEqual(run.mixed_concentration("CO2", True) / (4e-4 + 5e-6 / flow), 1.0, delta=0.001)
+        self.assertAlmostEqual(run.mixed_concentration("dust", True) / (3e-3 / flow), 1.0, delta=0.01)
+        self.assertEqual(run.mixed_concentration("dust", False), 0.0)
+        self.assertGreater(run.effectiveness("CO2", run.fields.mean_everywhere("CO2")), 0.5)
+        self.assertIn("effectiveness for dust", (folder / "report.html").read_text())
+
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_several_inlets_and_outlets(self):
         """Each inlet blows what it was given, all goes out, and air is as old at the outlets as the room's air lasts."""

@@ -132,6 +132,12 @@ protected:
     choices.back().roughness = isWind ? std::optional(0.03) : std::nullopt;
     const atria::Vec3 wind(isWind ? 1 : 0, 0, 0);
     flows.push_back({mesh, made, wind, choices, {atria::Vec3(1, 1, 1)}});
+    const bool takesSurfaces = !atria::isFoundation(dialect);
+    flows.back().scalars = {{"CO2", {{"hall", 5e-6}}, {}, {{"side6", 4e-4}}}};
+    if (takesSurfaces)
+    {
+      flows.back().scalars.push_back({"smoke", {}, {{"side3", 1.0}}, {}});
+    }
   }
 
   /// Returns what the boundary conditions of all patches of a case are filled with.
@@ -151,13 +157,22 @@ protected:
     std::vector<Filling> fillings;
     for (const atria::CaseOfDirection& flow : flows)
     {
-      for (const char* fact : {"meshOnly", "rose", "bothWays", "age", "checkProfile", "emptyDomain"})
+      for (const char* fact :
+           {"meshOnly", "rose", "bothWays", "age", "checkProfile", "emptyDomain", "surfaceSource"})
       {
         fillings.push_back(atria::fillingOf(flow));
         fillings.back().facts.insert(fact);
       }
       const std::vector<Filling> patches = fillingsOfPatches(flow);
       fillings.insert(fillings.end(), patches.begin(), patches.end());
+      for (std::size_t i = 0; i < patches.size(); ++i)
+      {
+        for (const atria::CaseScalar& scalar : flow.scalars)
+        {
+          fillings.push_back(patches[i]);
+          atria::addScalarAt(fillings.back(), scalar, flow.mesh.patches[i]);
+        }
+      }
     }
     return fillings;
   }
@@ -185,9 +200,9 @@ TEST_F(CaseTemplates, HaveAConditionForEveryPatch)
   {
     for (const Filling& filling : fillingsOfPatches(flow))
     {
-      for (const atria::CaseField& field : atria::caseFields())
+      for (const atria::CaseField& field : atria::fieldsOf(flow))
       {
-        EXPECT_TRUE(atria::rowOf(atria::caseConditions(), field.name, filling))
+        EXPECT_TRUE(atria::rowOf(atria::caseConditions(), field.row, filling))
             << field.name << " at " << testing::PrintToString(filling.facts);
       }
     }
@@ -210,8 +225,9 @@ TEST_F(CaseTemplates, HaveRowsThatAreUsed)
     }
     for (const atria::CaseField& field : atria::caseFields())
     {
-      used.insert(atria::rowOf(atria::caseConditions(), field.name, filling));
+      used.insert(atria::rowOf(atria::caseConditions(), field.row, filling));
     }
+    used.insert(atria::rowOf(atria::caseConditions(), "scalar", filling));
   }
   for (const auto rows : {atria::caseFiles(), atria::caseConditions(), atria::caseParts()})
   {

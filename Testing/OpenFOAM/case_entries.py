@@ -52,6 +52,11 @@ TYPE_KEYWORDS = {
 # The base classes of a dictionary with a type that stands within another one.
 INNER_ROOTS = ["option", "fvModel"]
 
+# Files whose dictionaries all have such a type.
+MODEL_FILES = ("fvOptions", "fvModels")
+# Where models have the keywords of their cells from.
+CELLS_PLACE = re.compile(r"src/meshTools/(sets/polyCellSet|zoneGenerators/cell/generatedCellZone)/")
+
 # Where the keywords of a file are looked for that no type owns: the beginnings of paths. A file that is not named
 # here is taken for one of the folder constant.
 PLACES = {
@@ -244,6 +249,12 @@ class CaseEntries:
             where, files_of_class = self.file_of_class(name)
             paths = files_of_class or paths
         self.add_row(f"file {name}", where)
+        if name in MODEL_FILES:
+            cells = Places([path for path in self.sources.files if CELLS_PLACE.match(path)])
+            for model in content.values():
+                if isinstance(model, dict) and "type" in model:
+                    self.check_typed("model", model, INNER_ROOTS, cells)
+            return
         self.check_entries(content, Position(name, (), Places(paths)))
 
     def file_of_class(self, name):

@@ -78,9 +78,34 @@ class Run:
         sides = [patch for patch, role in self.roles.items() if role in ("inlet", "outlet", "inletOutlet")]
         flows = {patch: results.read_flow(self.folder, "flow_" + patch) for patch in sides}
         self.flows = {patch: flow for patch, flow in flows.items() if flow is not None}
+        self.carried = {scalar: self._read_carried(scalar) for scalar in case.scalars}
         self.openings = results.read_openings(self.folder, case.openings)
         self.forces = results.read_columns(self.folder / "postProcessing" / "forces", "force.dat", 3)
         self.y_plus = results.read_y_plus(self.folder / "postProcessing" / "yPlus")
+
+    def _read_carried(self, scalar):
+        carried = {patch: results.read_flow(self.folder, f"flow_{scalar}_{patch}") for patch in self.flows}
+        return {patch: flow for patch, flow in carried.items() if flow is not None}
+
+    def concentration_at(self, scalar, patch):
+        """Of the air that passes a patch, by what it carries; None where not measured, or where no air passes."""
+        carried, flow = self.carried[scalar].get(patch), self.flows[patch].last()
+        return carried.last() / flow + 0.0 if carried and flow else None  # no -0
+
+    def mixed_concentration(self, scalar, outwards):
+        """Of all air that leaves the domain, or of all that comes in."""
+        patches = [patch for patch in self.carried[scalar] if (self.flows[patch].last() > 0.0) == outwards]
+        whole = sum(self.flows[patch].last() for patch in patches)
+        return sum(self.carried[scalar][patch].last() for patch in patches) / whole if whole else None
+
+    def effectiveness(self, scalar, concentration):
+        """Of a room's ventilation, where the air has a concentration: (exhaust - supply) / (room - supply). 1 is mixed air."""
+        if not self.case.is_room:
+            return None
+        exhaust, supply = (self.mixed_concentration(scalar, outwards) for outwards in (True, False))
+        if None in (exhaust, supply, concentration) or concentration == supply:
+            return None
+        return (exhaust - supply) / (concentration - supply)
 
     @property
     def title(self):
@@ -249,6 +274,7 @@ class Case:
             self.speed = float(self.described["reference_speed"])
             self.pedestrian_height = float(self.described["pedestrian_height"])
             directions = [Direction.read(entry) for entry in self.described["directions"]]
+            self.scalars = [scalar["name"] for scalar in self.described.get("scalars", [])]
             self.is_room = self.described.get("kind", "wind") == "room"
             if not self.is_room and any(direction.origin is None or direction.towards is None for direction in directions):
                 raise KeyError("from, towards")

@@ -120,12 +120,20 @@ def _room_rows(case, run, fields):
         if case.described.get("age_of_air"):
             age = fields.mean(room, "age") if fields else None
             row.append(_number(None if age is None else age / 60.0))
+        for scalar in case.scalars:
+            row += _concentration(run, scalar, fields.mean(room, scalar) if fields else None)[:2 if case.is_room else 1]
         yield [*row, ", ".join(html.escape(o.name) for o in joining)]
+
+
+def _concentration(run, scalar, mean):
+    """A mean concentration, and how effective the ventilation is for it."""
+    return [_number(mean, 4), _number(run.effectiveness(scalar, mean))]
 
 
 def _rooms_of(case, run, fields):
     head = ["room", "volume, m³", "air in, m³/s", "of it from outside", "air changes per hour"]
     head += ["mean age of air, min"] if case.described.get("age_of_air") else []
+    head += [title for scalar in case.scalars for title in (f"mean {scalar}", f"effectiveness for {scalar}")[:2 if case.is_room else 1]]
     text = _table([*head, "openings"], _room_rows(case, run, fields), "words")
     return text + _table(("opening", "area, m²", "most air goes", "this way, m³/s", "back, m³/s", "mean speed through it, m/s"),
                          map(_opening_row, run.openings))
@@ -144,7 +152,8 @@ def _passage_rows(run):
         area = run.areas.get(name, 0.0)
         net = flow.last()
         yield [html.escape(name), run.roles[name], f"{area:.3g}", _number(max(-net, 0.0)), _number(max(net, 0.0)),
-               _number(abs(net) / area if area > 0 else None)]
+               _number(abs(net) / area if area > 0 else None),
+               *(_number(run.concentration_at(scalar, name), 4) for scalar in run.case.scalars)]
 
 
 def ventilation(case, fields_of):
@@ -154,13 +163,21 @@ def ventilation(case, fields_of):
     changes = run.supplied_changes()
     if changes is None or changes.last() <= 0.0:
         return text + "<p>No flow through inlets and outlets is measured.</p>"
-    text += _table(("patch", "role", "area, m²", "air in, m³/s", "air out, m³/s", "mean speed through it, m/s"), _passage_rows(run))
+    text += _table(("patch", "role", "area, m²", "air in, m³/s", "air out, m³/s", "mean speed through it, m/s", *case.scalars),
+                   _passage_rows(run))
     facts = [f"{case.mesh['volume']:.4g} m³ of air",
              f"<b>{changes.last():.3g}</b> air changes per hour, one in {60.0 / changes.last():.3g} min"]
     if case.described.get("age_of_air") and run in fields_of:
         age = fields_of[run].mean_everywhere("age")
         facts += [f"its mean age is {age / 60.0:.3g} min"] if age is not None else []
+    facts += _facts_of_scalars(case, run, fields_of.get(run))
     return text + f"<p>{'; '.join(facts)}.</p>"
+
+
+def _facts_of_scalars(case, run, fields):
+    for scalar in case.scalars if fields else ():
+        mean, effectiveness = _concentration(run, scalar, fields.mean_everywhere(scalar))
+        yield f"its mean {scalar} is {mean}, and the ventilation is {effectiveness} times as effective as with mixed air"
 
 
 def rooms(case, fields_of):
@@ -199,9 +216,21 @@ def pictures_of(case, view, ratios, fields_of):
         text.append(charts.figure(charts.plot(charts.colored(view.image(ratio), 0.0, high), lines, arrows), run.title))
     unit = (f"of the mean speed at the inlets, {case.speed:.3g} m/s" if case.is_room else
             f"of the reference speed, {case.speed:g} m/s at {case.described['reference_height']:g} m")
-    text += ["</div>", charts.color_bar(0.0, high, unit), "<h2>The flow</h2>"]
+    text += ["</div>", charts.color_bar(0.0, high, unit), *_scalar_pictures(case, view, fields_of, above), "<h2>The flow</h2>"]
     several = len(case.runs) > 1
     return "\n".join(text + [_folded(run.title, _flow(case, run, fields), several) for run, fields in fields_of.items()])
+
+
+def _scalar_pictures(case, view, fields_of, above):
+    """Concentrations at the height of the view."""
+    for scalar in case.scalars:
+        values = [view.sample(fields.mesh, scalar) for fields in fields_of.values()]
+        known = numpy.concatenate([v[numpy.isfinite(v)] for v in values])
+        high = float(numpy.percentile(known, 99.5)) if known.size else 1.0
+        yield f'<h2>{scalar} {above}</h2><div class="row">'
+        for run, found in zip(fields_of, values):
+            yield charts.figure(charts.plot(charts.colored(view.image(found), 0.0, high)), run.title)
+        yield "</div>" + charts.color_bar(0.0, high, f"{scalar}, units per m³")
 
 
 def _flow(case, run, fields):
