@@ -59,6 +59,8 @@ struct Options
   std::vector<std::tuple<std::string, std::string, std::string>> conditions;
   std::vector<std::pair<std::string, std::string>> grounds;
   std::vector<std::tuple<std::string, std::string, std::string>> scalars;
+  std::vector<std::tuple<std::string, std::string, std::string>> canopies;
+  std::string trees;
 };
 
 constexpr const char* examples = R"(Examples:
@@ -225,6 +227,18 @@ void declareRun(CLI::App& command, Options& options)
       ->allow_extra_args(false)
       ->type_name("NAME PATTERN AMOUNT");
   command
+      .add_option(
+          "--canopy", options.canopies,
+          "Leaves in the cell zones whose name matches slow the air: leaf area density, 1/m, and drag coefficient, "
+          "such as Hedge 2 0.2; may be repeated, the last holds")
+      ->allow_extra_args(false)
+      ->type_name("PATTERN LAD CD");
+  command
+      .add_option("--trees", options.trees,
+                  "Table of trees, lines of x, y, height, crown radius, LAD, Cd: cells in their crowns slow the air")
+      ->check(CLI::ExistingFile)
+      ->type_name("FILE.csv");
+  command
       .add_option("--pedestrian-height", options.pedestrian,
                   "Height above the ground where speeds are measured, meters")
       ->capture_default_str()
@@ -299,6 +313,14 @@ void configure(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, const
   for (const auto& [name, pattern, amount] : options.scalars)
   {
     writer->AddScalarRule((name + " " + text(pattern, amount)).c_str());
+  }
+  for (const auto& [pattern, density, drag] : options.canopies)
+  {
+    writer->AddCanopyRule(text(pattern, std::string(density).append(" ").append(drag)).c_str());
+  }
+  if (!options.trees.empty())
+  {
+    writer->SetTreeFile(options.trees.c_str());
   }
   for (const auto& [pattern, role] : options.patchRules)
   {

@@ -81,6 +81,19 @@ void describeScalars(const CaseOfDirection& flow, Json& report)
   }
 }
 
+/// Leaves slow the air. What they do to turbulence is not in the case, and the description says so.
+void describeCanopies(const CaseOfDirection& flow, Json& report)
+{
+  for (const CaseCanopy& canopy : flow.canopies)
+  {
+    report["canopies"].push_back({{"zone", canopy.zone},
+                                  {"leaf_area_density", canopy.leafAreaDensity},
+                                  {"drag_coefficient", canopy.dragCoefficient},
+                                  {"volume", canopy.volume},
+                                  {"sources", "momentum"}});
+  }
+}
+
 /// Returns a number with three digits.
 std::string shortNumber(double value)
 {
@@ -130,6 +143,7 @@ Json describeCase(const CaseOfDirection& flow)
     report["rooms"].push_back({{"name", room.name}, {"volume", room.volume}});
   }
   describeScalars(flow, report);
+  describeCanopies(flow, report);
   report["directions"] = Json::array();
   return report;
 }

@@ -240,6 +240,21 @@ void addScalars(Filling& filling, const CaseOfDirection& flow)
   filling.values["fvModels"] = models;
 }
 
+/// Adds the sinks of canopies to the models. The coefficient f of Darcy and Forchheimer takes f |U| U / 2 from the air.
+void addCanopies(Filling& filling, const CaseOfDirection& flow)
+{
+  Lines canopies;
+  for (const CaseCanopy& canopy : flow.canopies)
+  {
+    Filling its = filling;
+    its.values["zone"] = {canopy.zone};
+    its.values["inertia"] = {foamNumber(2.0 * canopy.dragCoefficient * canopy.leafAreaDensity)};
+    append(canopies, textOf(caseParts(), "canopy", its));
+  }
+  filling.values["fvOptions"] = canopies;
+  append(filling.values["fvModels"], canopies);
+}
+
 void addWalls(Filling& filling, const CaseOfDirection& flow)
 {
   std::vector<std::string> walls = flow.walls();
@@ -293,6 +308,7 @@ void writeCaseFiles(const fs::path& folder, const CaseOfDirection& flow, Filling
   addFieldSolvers(filling, fieldsOf(flow));
   addFlows(filling, flow);
   addScalars(filling, flow);
+  addCanopies(filling, flow);
   addWalls(filling, flow);
   addProbes(filling, flow.probes);
   writeDictionaries(folder, filling);

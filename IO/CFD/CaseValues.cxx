@@ -140,8 +140,9 @@ const char* factOf(const CaseOfDirection& flow, const PatchChoice& choice)
 /// True if the Foundation's file fvModels has entries.
 bool hasModels(const CaseOfDirection& flow)
 {
-  return isFoundation(flow.settings.dialect) &&
-         std::ranges::any_of(flow.scalars, [](const CaseScalar& scalar) { return !scalar.zones.empty(); });
+  const bool hasSources =
+      std::ranges::any_of(flow.scalars, [](const CaseScalar& scalar) { return !scalar.zones.empty(); });
+  return isFoundation(flow.settings.dialect) && (hasSources || !flow.canopies.empty());
 }
 
 void addFacts(Filling& filling, const CaseOfDirection& flow)
@@ -149,11 +150,13 @@ void addFacts(Filling& filling, const CaseOfDirection& flow)
   const FlowCaseSettings& settings = flow.settings;
   filling.facts = {factOf(settings.dialect), isFoundation(settings.dialect) ? "foundation" : "opencfd",
                    flow.isRoom() ? "room" : "wind", modelName(settings.turbulence)};
-  const std::pair<const char*, bool> others[] = {{"ageOfAir", settings.ageOfAir},
-                                                 {"fvModels", hasModels(flow)},
-                                                 {"pedestrians", !flow.probes.empty()},
-                                                 {"walls", !flow.walls().empty()},
-                                                 {"checkProfile", settings.checkProfile && !flow.isRoom()}};
+  const std::pair<const char*, bool> others[] = {
+      {"ageOfAir", settings.ageOfAir},
+      {"fvModels", hasModels(flow)},
+      {"fvOptions", !isFoundation(settings.dialect) && !flow.canopies.empty()},
+      {"pedestrians", !flow.probes.empty()},
+      {"walls", !flow.walls().empty()},
+      {"checkProfile", settings.checkProfile && !flow.isRoom()}};
   for (const auto& [fact, isTrue] : others)
   {
     if (isTrue)

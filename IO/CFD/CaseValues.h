@@ -16,6 +16,7 @@ struct CaseOfDirection
   std::vector<PatchChoice> choices; ///< one per patch
   std::vector<Vec3> probes;
   std::vector<CaseScalar> scalars = {};
+  std::vector<CaseCanopy> canopies = {};
 
   std::vector<std::string> namesOf(PatchRole role) const;
   /// Returns the names of all walls but the ground.

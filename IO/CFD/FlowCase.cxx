@@ -9,10 +9,12 @@
 #include "Grid/Prism.h"
 #include "GroundRoughness.h"
 #include "OutputFolders.h"
+#include "PolyMeshWriter.h"
 #include "Support/Error.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iterator>
 #include <numbers>
 #include <set>
@@ -185,6 +187,61 @@ void settleKind(const CaseMesh& mesh, FlowCaseSettings& settings)
   }
 }
 
+/// Drops the zones of trees that an earlier case in the folder has added to the mesh.
+void dropTrees(const fs::path& caseFolder, PolyMesh& poly)
+{
+  std::ifstream in(caseFolder / "case.json");
+  const auto earlier = nlohmann::json::parse(in, nullptr, false);
+  const auto trees = earlier.is_object() ? earlier.find("tree_zones") : earlier.end();
+  if (in && trees != earlier.end())
+  {
+    std::erase_if(poly.cellZones, [&](const CellZone& zone) {
+      return std::ranges::find(*trees, nlohmann::json(zone.name)) != trees->end();
+    });
+  }
+}
+
+/// Adds the trees of the settings' file to the mesh, in memory and on file.
+PlantedTrees addTrees(const fs::path& caseFolder, PolyMesh& poly, const CaseOfDirection& flow,
+                      const RunContext& context)
+{
+  const std::vector<Tree> trees = readTrees(flow.settings.treeFile);
+  PlantedTrees planted = plantTrees(poly, trees, flow.namesOf(PatchRole::Ground), context);
+  if (planted.zones.empty())
+  {
+    throw Error("no tree of '" + flow.settings.treeFile.string() + "' has a cell of the mesh in its crown");
+  }
+  poly.cellZones.insert(poly.cellZones.end(), planted.zones.begin(), planted.zones.end());
+  PolyMeshWriter(caseFolder / "constant" / "polyMesh", poly.mesh, flow.settings.format, context.progress)
+      .writeCellZones(poly.cellZones);
+  return planted;
+}
+
+/// Plants trees for the first direction; the others have the same. Returns the canopies of rules and trees.
+std::vector<CaseCanopy> canopiesOfCase(const fs::path& caseFolder, PolyMesh& poly, const CaseOfDirection& flow,
+                                       WrittenCase& written, nlohmann::ordered_json& report, const RunContext& context)
+{
+  std::vector<CaseCanopy> canopies = canopiesOf(flow.mesh, flow.settings.canopyRules);
+  if (!flow.settings.treeFile.empty())
+  {
+    const PlantedTrees planted = addTrees(caseFolder, poly, flow, context);
+    const std::size_t count = readTrees(flow.settings.treeFile).size();
+    written.summary += summaryOf(planted, count);
+    std::ranges::copy(warnOfMissed(planted, count), std::back_inserter(written.warnings));
+    for (const CaseCanopy& canopy : planted.canopies)
+    {
+      report["tree_zones"].push_back(canopy.zone);
+      canopies.push_back(canopy);
+    }
+  }
+  if (!canopies.empty())
+  {
+    written.warnings.emplace_back("canopies slow the air, but the case has no sources of turbulence by leaves: k and "
+                                  "epsilon behind trees are rough estimates");
+  }
+  return canopies;
+}
+
 CaseOfDirection chosen(const CaseMesh& mesh, const FlowCaseSettings& settings, double towards)
 {
   CaseOfDirection flow{mesh, settings, Vec3::Zero(), {}, {}};
@@ -203,6 +260,7 @@ CaseOfDirection chosen(const CaseMesh& mesh, const FlowCaseSettings& settings, d
 WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings, const RunContext& context)
 {
   PolyMesh poly = readPolyMesh(caseFolder);
+  dropTrees(caseFolder, poly);
   const CaseMesh mesh = describeMesh(poly, context);
   settleKind(mesh, settings);
   const std::vector<std::string> folders = foldersOf(settings);
@@ -210,6 +268,8 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
   WrittenCase written{settings.kind, {}, {}};
   Windless windless;
   std::vector<Upstream> upstreams;
+  std::vector<CaseCanopy> canopies;
+  nlohmann::ordered_json treeReport;
   removeProcessors(caseFolder); // they belong to another mesh or number of processors
   for (std::size_t d = 0; d < folders.size(); ++d)
   {
@@ -217,6 +277,8 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
     CaseOfDirection flow = chosen(mesh, settings, settings.directions[d]);
     std::vector<std::string> warnings = closeEmptyOpenings(flow);
     flow.scalars = caseScalars(mesh, settings, flow.choices);
+    canopies = d == 0 ? canopiesOfCase(caseFolder, poly, flow, written, treeReport, context) : canopies;
+    flow.canopies = canopies;
     std::ranges::copy(warnOfSheets(flow), std::back_inserter(warnings));
     std::ranges::copy(warnOfRoughness(flow), std::back_inserter(warnings));
     const std::optional<double> upstream = ownRoughnessUpstream(poly, flow);
@@ -237,8 +299,10 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
     if (d == 0)
     {
       report = describeCase(flow);
-      written.summary = flow.isRoom() ? summaryOfRoom(flow) : "";
-      written.warnings = std::move(warnings);
+      report.update(treeReport.is_null() ? nlohmann::ordered_json::object() : treeReport);
+      written.summary =
+          (flow.isRoom() ? summaryOfRoom(flow) + (written.summary.empty() ? "" : "\n") : "") + written.summary;
+      written.warnings.insert(written.warnings.begin(), warnings.begin(), warnings.end());
       setTypes(caseFolder, poly, changedTypes(mesh, flow.choices));
       if (settings.processors > 1)
       {

@@ -2,6 +2,7 @@
 /// Cases of steady wind around and through buildings, and of ventilated rooms, for simpleFoam.
 #pragma once
 
+#include "CaseCanopies.h"
 #include "CaseMesh.h"
 #include "CaseScalars.h"
 #include "OpenFOAMFile.h"
@@ -118,6 +119,8 @@ struct FlowCaseSettings
   bool ageOfAir = false;
   bool checkProfile = false; ///< adds an empty domain, which says how the wind's profile changes on its way
   std::vector<ScalarRule> scalarRules;
+  std::vector<CanopyRule> canopyRules;
+  std::filesystem::path treeFile; ///< see readTrees(); none if empty
   std::vector<PatchRule> patchRules;
   std::vector<ConditionRule> conditionRules;
 };
@@ -164,7 +167,7 @@ const ConditionRule* conditionOf(const FlowCaseSettings& settings, const std::st
 struct WrittenCase
 {
   FlowKind kind = FlowKind::Wind; ///< never Automatic
-  std::string summary;            ///< openings of a room through which air enters and leaves, one sentence
+  std::string summary; ///< openings of a room through which air enters and leaves, and trees; a line for each
   std::vector<std::string> warnings;
 };
 

@@ -53,7 +53,7 @@ void copyMesh(const fs::path& source, const fs::path& target)
 
 vtkAtriaOpenFOAMCaseWriter::vtkAtriaOpenFOAMCaseWriter() = default;
 
-vtkAtriaOpenFOAMCaseWriter::~vtkAtriaOpenFOAMCaseWriter() = default;
+vtkAtriaOpenFOAMCaseWriter::~vtkAtriaOpenFOAMCaseWriter() { this->SetTreeFile(nullptr); }
 
 void vtkAtriaOpenFOAMCaseWriter::AddWindAngle(double degrees)
 {
@@ -88,6 +88,25 @@ int vtkAtriaOpenFOAMCaseWriter::GetNumberOfScalarRules() { return static_cast<in
 std::string vtkAtriaOpenFOAMCaseWriter::GetScalarRule(int i)
 {
   return this->ScalarRules.at(static_cast<std::size_t>(i));
+}
+
+void vtkAtriaOpenFOAMCaseWriter::AddCanopyRule(const char* rule)
+{
+  this->CanopyRules.emplace_back(rule ? rule : "");
+  this->Modified();
+}
+
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllCanopyRules()
+{
+  this->CanopyRules.clear();
+  this->Modified();
+}
+
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfCanopyRules() { return static_cast<int>(this->CanopyRules.size()); }
+
+std::string vtkAtriaOpenFOAMCaseWriter::GetCanopyRule(int i)
+{
+  return this->CanopyRules.at(static_cast<std::size_t>(i));
 }
 
 void vtkAtriaOpenFOAMCaseWriter::AddPatchRule(const char* rule)
@@ -194,6 +213,11 @@ atria::FlowCaseSettings vtkAtriaOpenFOAMCaseWriter::GetSettings()
   {
     settings.scalarRules.push_back(atria::scalarRuleFrom(rule));
   }
+  for (const std::string& rule : this->CanopyRules)
+  {
+    settings.canopyRules.push_back(atria::canopyRuleFrom(rule));
+  }
+  settings.treeFile = this->TreeFile ? this->TreeFile : "";
   for (const std::string& rule : this->PatchRules)
   {
     settings.patchRules.push_back(atria::patchRuleFrom(rule));
@@ -295,6 +319,11 @@ void vtkAtriaOpenFOAMCaseWriter::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "ScalarRule: " << rule << "\n";
   }
+  for (const std::string& rule : this->CanopyRules)
+  {
+    os << indent << "CanopyRule: " << rule << "\n";
+  }
+  os << indent << "TreeFile: " << (this->TreeFile ? this->TreeFile : "(none)") << "\n";
   for (const std::string& rule : this->PatchRules)
   {
     os << indent << "PatchRule: " << rule << "\n";

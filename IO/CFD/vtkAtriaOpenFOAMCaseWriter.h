@@ -105,7 +105,7 @@ public:
   ///@{
   /**
    * Kind of the case that was written last: Wind or Room; Automatic before the first. Summary is a sentence about the
-   * flow in and out of a room, and empty for wind.
+   * flow in and out of a room, with a line about trees, and empty for wind without trees.
    */
   vtkGetMacro(WrittenKind, int);
   vtkGetMacro(Summary, std::string);
@@ -233,6 +233,28 @@ public:
 
   ///@{
   /**
+   * Cell zones with leaves that slow the air, as `PATTERN LAD CD`: leaf area density in 1/m, one side of the leaves,
+   * and their drag coefficient, such as `Hedge 2 0.2`. The last of several rules for a zone holds. The case has no
+   * sources of turbulence by leaves, and a warning says so. None by default.
+   */
+  void AddCanopyRule(const char* rule);
+  void RemoveAllCanopyRules();
+  int GetNumberOfCanopyRules();
+  std::string GetCanopyRule(int i);
+  ///@}
+
+  ///@{
+  /**
+   * A table of trees: lines of `x, y, height, crown radius, LAD, Cd`, meters. Cells whose centers are in the crowns,
+   * ellipsoids from a third of the height up, become canopies, the cell zones `trees` of the case's mesh. Warnings
+   * report trees smaller than cells. No default.
+   */
+  vtkSetFilePathMacro(TreeFile);
+  vtkGetFilePathMacro(TreeFile);
+  ///@}
+
+  ///@{
+  /**
    * Roles of patches, as `PATTERN ROLE`. The pattern (* and ? stand for text) is in double quotes if it holds blanks.
    * Roles are inlet, inlet:AMOUNT (which blows along its normal; m/s, m3/s, m3/h or l/s, such as inlet:0.5m/s), outlet,
    * inletOutlet (by the flow), slip, ground, wall or rough:SIZE (a wall with sand grains of that height, meters). The
@@ -319,6 +341,8 @@ private:
   double PedestrianHeight = 1.75;
   bool AgeOfAir = false;
   std::vector<std::string> ScalarRules;
+  std::vector<std::string> CanopyRules;
+  char* TreeFile = nullptr;
   std::vector<std::string> PatchRules;
   std::vector<std::string> ConditionRules;
   std::vector<std::string> GroundRules;

@@ -15,7 +15,7 @@ import tempfile
 import unittest
 
 from atria.report import Case
-from box_mesh import write_box
+from box_mesh import header, write_box
 from decomposed import MPI
 from test_dialects import dictionaries, differences
 
@@ -278,6 +278,41 @@ class Room(unittest.TestCase):
         self.assertEqual(run.mixed_concentration("dust", False), 0.0)
         self.assertGreater(run.effectiveness("CO2", run.fields.mean_everywhere("CO2")), 0.5)
         self.assertIn("effectiveness for dust", (folder / "report.html").read_text())
+
+    def hedge(self):
+        """A duct of 40 m with a hedge across, 15 m to 25 m from its inlet."""
+        duct, across = self.folder / "duct", 80
+        write_box(duct, (across, 2, 2), ((0.0, 40.0), (0.0, 2.0), (0.0, 2.0)))
+        cells = [i + across * row for row in range(4) for i in range(30, 50)]
+        (duct / "constant/polyMesh/cellZones").write_text(header("cellZones", "regIOobject") + (
+            f"1\n(\nHedge {{ type cellZone; cellLabels List<label> {len(cells)}({' '.join(map(str, cells))}); }}\n)\n"))
+        return duct, ("--kind", "room", "--patch", "xMin", "inlet:5m/s", "--patch", "xMax", "outlet", "--patch", "y*", "slip",
+                      "--patch", "z*", "slip")
+
+    def test_trees_become_zones(self):
+        duct, roles = self.hedge()
+        table = self.folder / "trees.csv"
+        table.write_text("x,y,height,crown radius,LAD,Cd\n20,1,1.8,1,1,0.2\n30,1,1.8,1,2,0.2\n35,1,0.1,0.1,1,0.2\n")
+        for _ in range(2):  # again into the same folder
+            folder = self.case(duct, *roles, "--trees", table, stderr="1 of 3 trees are smaller than the cells")
+            self.assertRegex(self.said, r"2 of 3 trees in \d+ cells, [\d.]+ m3: cell zones trees_1, trees_2")
+            described = self.described(folder)
+            self.assertEqual(described["tree_zones"], ["trees_1", "trees_2"])
+            self.assertEqual([room["name"] for room in described["rooms"]], ["Hedge"])
+            self.assertEqual([canopy["leaf_area_density"] for canopy in described["canopies"]], [1.0, 2.0])
+        self.refuses(3, "did you mean 'Hedge'?", duct, *roles, "--canopy", "Hegde", "1", "0.2")
+        table.write_text("20 1 1.8 1 1 0.2\n20 1 -1 1 1 0.2\n")
+        self.refuses(3, "line 2", duct, *roles, "--trees", table)
+
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_leaves_take_momentum(self):
+        """The pressure falls by Cd LAD U^2 a meter."""
+        duct, roles = self.hedge()
+        folder = self.case(duct, *roles, "--canopy", "Hedge", "1.5", "0.2", "--iterations", "200", stderr="canopies slow the air")
+        self.run_case(folder)
+        pressure = Case(folder).runs[0].fields.mesh.GetCellData().GetArray("p").GetValue
+        self.assertAlmostEqual((pressure(35) - pressure(45)) / 5.0, 0.2 * 1.5 * 25.0, delta=0.05)
+        self.assertAlmostEqual((pressure(5) - pressure(75)) / 10.0, 0.2 * 1.5 * 25.0, delta=0.2)
 
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_several_inlets_and_outlets(self):

@@ -132,6 +132,7 @@ protected:
     choices.back().roughness = isWind ? std::optional(0.03) : std::nullopt;
     const atria::Vec3 wind(isWind ? 1 : 0, 0, 0);
     flows.push_back({mesh, made, wind, choices, {atria::Vec3(1, 1, 1)}});
+    flows.back().canopies = {{"hall", 1.0, 0.2, 5.0}};
     const bool takesSurfaces = !atria::isFoundation(dialect);
     flows.back().scalars = {{"CO2", {{"hall", 5e-6}}, {}, {{"side6", 4e-4}}}};
     if (takesSurfaces)
@@ -157,8 +158,7 @@ protected:
     std::vector<Filling> fillings;
     for (const atria::CaseOfDirection& flow : flows)
     {
-      for (const char* fact :
-           {"meshOnly", "rose", "bothWays", "age", "checkProfile", "emptyDomain", "surfaceSource"})
+      for (const char* fact : {"meshOnly", "rose", "bothWays", "age", "checkProfile", "emptyDomain", "surfaceSource"})
       {
         fillings.push_back(atria::fillingOf(flow));
         fillings.back().facts.insert(fact);

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "CaseCanopies.h"
+
+#include "PatchNames.h"
+#include "Quality/Faces/Geometry.h"
+#include "Support/Error.h"
+#include "Support/NamePattern.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <limits>
+#include <map>
+#include <sstream>
+
+namespace atria {
+
+namespace {
+
+/// Share of a tree's height at which its crown begins.
+constexpr double crownBase = 1.0 / 3.0;
+constexpr const char* zoneName = "trees";
+
+bool isPositive(double value) { return value > 0.0 && std::isfinite(value); }
+
+/// Returns the numbers of a line of a table; nothing if it has others than numbers.
+std::vector<double> numbersIn(std::string line)
+{
+  std::ranges::replace_if(
+      line, [](char c) { return c == ',' || c == ';' || c == '\r'; }, ' ');
+  std::istringstream in(line);
+  in.imbue(std::locale::classic());
+  std::vector<double> numbers;
+  for (double number = 0.0; in >> number;)
+  {
+    numbers.push_back(number);
+  }
+  return in.eof() ? numbers : std::vector<double>();
+}
+
+bool isTree(const std::vector<double>& n)
+{
+  return n.size() == 6 && std::isfinite(n[0]) && std::isfinite(n[1]) && std::all_of(n.begin() + 2, n.end(), isPositive);
+}
+
+/// Returns the height of the ground at a tree: that of the face of the ground with the nearest center, seen from above.
+double groundBelow(const Tree& tree, const std::vector<Vec3>& ground, double lowest)
+{
+  double nearest = std::numeric_limits<double>::max();
+  double height = lowest;
+  for (const Vec3& center : ground)
+  {
+    const double distance = std::hypot(center[0] - tree.x, center[1] - tree.y);
+    if (distance < nearest)
+    {
+      nearest = distance;
+      height = center[2];
+    }
+  }
+  return height;
+}
+
+std::vector<Vec3> centersOf(const PolyMesh& poly, const std::vector<std::string>& patches)
+{
+  std::vector<Vec3> centers;
+  for (const PolyPatch& patch : poly.patches)
+  {
+    for (std::size_t i = 0; std::ranges::find(patches, patch.name) != patches.end() && i < patch.faces.size(); ++i)
+    {
+      centers.push_back(measurePolygon(poly.mesh.points, poly.mesh.face(patch.faces[i])).centroid);
+    }
+  }
+  return centers;
+}
+
+bool isInCrown(const Vec3& place, const Tree& tree, double ground)
+{
+  const double half = 0.5 * (1.0 - crownBase) * tree.height;
+  const Vec3 middle(tree.x, tree.y, ground + tree.height - half);
+  const Vec3 axes(tree.crownRadius, tree.crownRadius, half);
+  return (place - middle).cwiseQuotient(axes).squaredNorm() <= 1.0;
+}
+
+/// Gives cells without a tree to this one. Returns false if no cell is in its crown.
+bool plant(const Buffer<Vec3>& centers, const std::vector<Tree>& trees, std::size_t tree, double ground,
+           std::vector<int>& treeOf)
+{
+  bool isPlanted = false;
+  for (std::size_t cell = 0; cell < treeOf.size(); ++cell)
+  {
+    if (isInCrown(centers[cell], trees[tree], ground))
+    {
+      isPlanted = true;
+      treeOf[cell] = treeOf[cell] < 0 ? static_cast<int>(tree) : treeOf[cell];
+    }
+  }
+  return isPlanted;
+}
+
+/// Adds a zone for each pair of LAD and Cd.
+void addZones(const std::vector<Tree>& trees, const std::vector<int>& treeOf, const Buffer<double>& volumes,
+              PlantedTrees& planted)
+{
+  std::map<std::pair<double, double>, std::size_t> kinds;
+  for (std::size_t cell = 0; cell < treeOf.size(); ++cell)
+  {
+    if (treeOf[cell] >= 0)
+    {
+      const Tree& tree = trees[static_cast<std::size_t>(treeOf[cell])];
+      const auto [kind, isNew] = kinds.try_emplace({tree.leafAreaDensity, tree.dragCoefficient}, kinds.size());
+      if (isNew)
+      {
+        planted.zones.emplace_back();
+        planted.canopies.push_back({{}, tree.leafAreaDensity, tree.dragCoefficient, 0.0});
+      }
+      planted.zones[kind->second].cells.push_back(static_cast<Index>(cell));
+      planted.canopies[kind->second].volume += volumes[cell];
+    }
+  }
+}
+
+void nameZones(const PolyMesh& poly, PlantedTrees& planted)
+{
+  for (std::size_t i = 0; i < planted.zones.size(); ++i)
+  {
+    const std::string name = zoneName + (planted.zones.size() > 1 ? "_" + std::to_string(i + 1) : "");
+    planted.zones[i].name = planted.canopies[i].zone = name;
+    if (std::ranges::find(poly.cellZones, name, &CellZone::name) != poly.cellZones.end())
+    {
+      throw Error("the mesh has a cell zone '" + name + "' already, which is the name of trees from a file");
+    }
+  }
+}
+
+} // namespace
+
+CanopyRule canopyRuleFrom(const std::string& text)
+{
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  CanopyRule rule;
+  std::string more;
+  const bool isRule =
+      static_cast<bool>(in >> std::quoted(rule.pattern) >> rule.leafAreaDensity >> rule.dragCoefficient);
+  if (!isRule || in >> more || !isPositive(rule.leafAreaDensity) || !isPositive(rule.dragCoefficient))
+  {
+    throw Error("the canopy '" + text +
+                "' is not of the form PATTERN LAD CD, with a leaf area density in 1/m and a drag coefficient above 0, "
+                "such as Trees 1.2 0.2");
+  }
+  return rule;
+}
+
+std::vector<CaseCanopy> canopiesOf(const CaseMesh& mesh, const std::vector<CanopyRule>& rules)
+{
+  std::vector<std::string> names;
+  std::map<std::string, CaseCanopy> found;
+  for (const CaseRoom& zone : mesh.rooms)
+  {
+    names.push_back(zone.name);
+  }
+  for (const CanopyRule& rule : rules)
+  {
+    bool isUsed = false;
+    for (const CaseRoom& zone : mesh.rooms)
+    {
+      if (zone.volume > 0.0 && matchesPatchName(rule.pattern, zone.name, openFOAMNames))
+      {
+        found[zone.name] = {zone.name, rule.leafAreaDensity, rule.dragCoefficient, zone.volume};
+        isUsed = true;
+      }
+    }
+    if (!isUsed)
+    {
+      throw Error(names.empty()
+                      ? "canopy '" + rule.pattern + "': the mesh has no cell zones"
+                      : "canopy '" + rule.pattern + "': no cell zone matches; " + namesInstead(rule.pattern, names));
+    }
+  }
+  std::vector<CaseCanopy> canopies;
+  for (const auto& [name, canopy] : found)
+  {
+    canopies.push_back(canopy);
+  }
+  return canopies;
+}
+
+std::vector<Tree> readTrees(const std::filesystem::path& file)
+{
+  std::ifstream in(file);
+  if (!in)
+  {
+    throw Error("cannot read the trees of '" + file.string() + "'");
+  }
+  std::vector<Tree> trees;
+  std::string line;
+  for (std::size_t number = 1; std::getline(in, line); ++number)
+  {
+    const std::vector<double> n = numbersIn(line);
+    const bool isBlank = line.find_first_not_of(" \t\r") == std::string::npos;
+    if (isTree(n))
+    {
+      trees.push_back({n[0], n[1], n[2], n[3], n[4], n[5]});
+    }
+    else if (!isBlank && (number > 1 || !n.empty()))
+    {
+      throw Error("'" + file.string() + "', line " + std::to_string(number) +
+                  ": a tree has x, y, height, crown radius, LAD and Cd, and all but its place are above 0");
+    }
+  }
+  if (trees.empty())
+  {
+    throw Error("'" + file.string() + "' has no trees");
+  }
+  return trees;
+}
+
+PlantedTrees plantTrees(const PolyMesh& poly, const std::vector<Tree>& trees, const std::vector<std::string>& ground,
+                        const RunContext& context)
+{
+  const MeasuredMesh measured = measureMesh(poly.mesh, context);
+  const std::vector<Vec3> faces = centersOf(poly, ground);
+  Box3 bounds;
+  for (const Vec3& point : poly.mesh.points)
+  {
+    bounds.extend(point);
+  }
+  PlantedTrees planted;
+  std::vector<int> treeOf(poly.mesh.cellCount, -1);
+  for (std::size_t i = 0; i < trees.size(); ++i)
+  {
+    const double base = groundBelow(trees[i], faces, bounds.min[2]);
+    if (!plant(measured.geometry.cellCentroids, trees, i, base, treeOf))
+    {
+      planted.missed.push_back(trees[i]);
+    }
+  }
+  addZones(trees, treeOf, measured.geometry.cellVolumes, planted);
+  nameZones(poly, planted);
+  return planted;
+}
+
+std::string summaryOf(const PlantedTrees& planted, std::size_t trees)
+{
+  std::size_t cells = 0;
+  double volume = 0.0;
+  std::string names;
+  for (std::size_t i = 0; i < planted.zones.size(); ++i)
+  {
+    cells += planted.zones[i].cells.size();
+    volume += planted.canopies[i].volume;
+    names += (i == 0 ? "" : ", ") + planted.zones[i].name;
+  }
+  std::ostringstream text;
+  text << std::setprecision(3) << trees - planted.missed.size() << " of " << trees << " trees in " << cells
+       << " cells, " << volume << " m3";
+  return text.str() + (names.empty() ? "" : ": cell zones " + names);
+}
+
+std::vector<std::string> warnOfMissed(const PlantedTrees& planted, std::size_t trees)
+{
+  if (planted.missed.empty())
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << planted.missed.size() << " of " << trees
+       << " trees are smaller than the cells there, or outside of the mesh, and left out; the first is at ("
+       << planted.missed[0].x << " " << planted.missed[0].y << "). Make the mesh finer there";
+  return {text.str()};
+}
+
+} // namespace atria
