@@ -173,6 +173,40 @@ std::optional<double> ownRoughnessUpstream(const PolyMesh& poly, const CaseOfDir
   return hasOwn ? roughnessUpstream(poly, flow) : std::nullopt;
 }
 
+/// Settles openings without faces and the scalars of a flow. Returns warnings of what may be wrong with its patches.
+std::vector<std::string> settle(CaseOfDirection& flow)
+{
+  std::vector<std::string> warnings = closeEmptyOpenings(flow);
+  flow.scalars = caseScalars(flow.mesh, flow.settings, flow.choices);
+  std::ranges::copy(warnOfSheets(flow), std::back_inserter(warnings));
+  std::ranges::copy(warnOfRoughness(flow), std::back_inserter(warnings));
+  return warnings;
+}
+
+/// Links the folder of a direction to the mesh of the case.
+void shareMesh(const fs::path& folder)
+{
+  removeProcessors(folder);
+  linkMesh(folder, "../..");
+  writePlainFile(folder / (folder.filename().string() + ".foam"), "");
+}
+
+/// Sets the types of patches by their roles, and writes the parts of the mesh for several processors.
+void finishMesh(const fs::path& caseFolder, PolyMesh& poly, const CaseOfDirection& flow, const RunContext& context)
+{
+  const FlowCaseSettings& settings = flow.settings;
+  setTypes(caseFolder, poly, changedTypes(flow.mesh, flow.choices));
+  if (settings.processors > 1)
+  {
+    writeProcessors(caseFolder, poly, static_cast<std::size_t>(settings.processors), settings.format, context);
+  }
+}
+
+std::string joinedLines(const std::string& first, const std::string& second)
+{
+  return second.empty() ? first : first + "\n" + second;
+}
+
 /// Settles the kind and, for wind, the directions. A room has one "direction" of no length.
 void settleKind(const CaseMesh& mesh, FlowCaseSettings& settings)
 {
@@ -269,18 +303,15 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
   Windless windless;
   std::vector<Upstream> upstreams;
   std::vector<CaseCanopy> canopies;
-  nlohmann::ordered_json treeReport;
+  nlohmann::ordered_json treeReport = nlohmann::ordered_json::object();
   removeProcessors(caseFolder); // they belong to another mesh or number of processors
   for (std::size_t d = 0; d < folders.size(); ++d)
   {
     const fs::path folder = folders[d] == "." ? caseFolder : caseFolder / folders[d];
     CaseOfDirection flow = chosen(mesh, settings, settings.directions[d]);
-    std::vector<std::string> warnings = closeEmptyOpenings(flow);
-    flow.scalars = caseScalars(mesh, settings, flow.choices);
+    const std::vector<std::string> warnings = settle(flow);
     canopies = d == 0 ? canopiesOfCase(caseFolder, poly, flow, written, treeReport, context) : canopies;
     flow.canopies = canopies;
-    std::ranges::copy(warnOfSheets(flow), std::back_inserter(warnings));
-    std::ranges::copy(warnOfRoughness(flow), std::back_inserter(warnings));
     const std::optional<double> upstream = ownRoughnessUpstream(poly, flow);
     upstreams.push_back({folders[d], upstream.value_or(settings.wind.roughness)});
     for (const std::string& name : inletsWithoutWind(mesh, settings, flow.choices, flow.wind))
@@ -292,22 +323,15 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
     writeCaseFiles(folder, flow);
     if (folders[d] != ".")
     {
-      removeProcessors(folder);
-      linkMesh(folder, "../..");
-      writePlainFile(folder / (folders[d] + ".foam"), "");
+      shareMesh(folder);
     }
     if (d == 0)
     {
       report = describeCase(flow);
-      report.update(treeReport.is_null() ? nlohmann::ordered_json::object() : treeReport);
-      written.summary =
-          (flow.isRoom() ? summaryOfRoom(flow) + (written.summary.empty() ? "" : "\n") : "") + written.summary;
+      report.update(treeReport);
+      written.summary = flow.isRoom() ? joinedLines(summaryOfRoom(flow), written.summary) : written.summary;
       written.warnings.insert(written.warnings.begin(), warnings.begin(), warnings.end());
-      setTypes(caseFolder, poly, changedTypes(mesh, flow.choices));
-      if (settings.processors > 1)
-      {
-        writeProcessors(caseFolder, poly, static_cast<std::size_t>(settings.processors), settings.format, context);
-      }
+      finishMesh(caseFolder, poly, flow, context);
     }
     addProcessors(folder, folders[d] != ".", settings.processors);
     report["directions"].push_back(describeDirection(flow, settings.directions[d], folders[d]));
