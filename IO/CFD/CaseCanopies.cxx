@@ -197,13 +197,18 @@ std::vector<Tree> readTrees(const std::filesystem::path& file)
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number)
   {
+    if (number == 1 && line.starts_with("\xEF\xBB\xBF"))
+    {
+      line.erase(0, 3); // a byte order mark
+    }
     const std::vector<double> n = numbersIn(line);
+    const bool isHeader = number == 1 && line.find_first_of("0123456789") != line.find_first_not_of(" \t\"+-.");
     const bool isBlank = line.find_first_not_of(" \t\r") == std::string::npos;
     if (isTree(n))
     {
       trees.push_back({n[0], n[1], n[2], n[3], n[4], n[5]});
     }
-    else if (!isBlank && (number > 1 || !n.empty()))
+    else if (!isBlank && !isHeader)
     {
       throw Error("'" + file.string() + "', line " + std::to_string(number) +
                   ": a tree has x, y, height, crown radius, LAD and Cd, and all but its place are above 0");
@@ -230,6 +235,7 @@ PlantedTrees plantTrees(const PolyMesh& poly, const std::vector<Tree>& trees, co
   std::vector<int> treeOf(poly.mesh.cellCount, -1);
   for (std::size_t i = 0; i < trees.size(); ++i)
   {
+    context.progress.check();
     const double base = groundBelow(trees[i], faces, bounds.min[2]);
     if (!plant(measured.geometry.cellCentroids, trees, i, base, treeOf))
     {

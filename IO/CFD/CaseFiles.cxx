@@ -79,8 +79,10 @@ Lines patchesOf(const CaseField& field, const CaseOfDirection& flow, const std::
   Lines lines;
   for (std::size_t i = 0; i < flow.choices.size(); ++i)
   {
-    const ConditionRule* const rule = conditionOf(flow.settings, std::string(field.name), flow.mesh.patches[i].name);
     Filling its = ofField(fillings[i], flow, field, i);
+    const bool isSymmetry = its.facts.contains("emptyDomain") && its.facts.contains("constraint");
+    const ConditionRule* const rule =
+        isSymmetry ? nullptr : conditionOf(flow.settings, std::string(field.name), flow.mesh.patches[i].name);
     if (rule || flow.choices[i].role != PatchRole::Wall || its.facts.contains("surfaceSource"))
     {
       its.values["condition"] = rule ? Lines{rule->entries} : textOf(caseConditions(), field.row, its);

@@ -20,7 +20,8 @@ namespace {
 using Sizes = std::map<std::string, double>;
 
 /// Names that a scalar cannot have: a case has them already.
-constexpr const char* takenNames[] = {"U", "p", "k", "epsilon", "omega", "nut", "age", "phi", "yPlus"};
+constexpr const char* takenNames[] = {"U",     "p",     "k",     "epsilon", "omega",   "nut",    "age",        "phi",
+                                      "yPlus", "nuEff", "UMean", "pMean",   "average", "forces", "pedestrians"};
 
 bool isPlainName(const std::string& name)
 {
@@ -56,7 +57,10 @@ void divide(double amount, const Sizes& among, std::map<std::string, double>& sh
   }
   for (const auto& [name, size] : among)
   {
-    shares[name] += amount * size / whole;
+    if (size > 0.0)
+    {
+      shares[name] += amount * size / whole;
+    }
   }
 }
 

@@ -25,6 +25,8 @@ constexpr int mostAlong = 60;
 constexpr int mostIterations = 200;
 /// The profile is of interest up to this many heights of the buildings.
 constexpr double heightsOfInterest = 2.0;
+/// Share of the height of the domain within which its sides reach the top.
+constexpr double topShare = 0.01;
 
 // Cells over the height
 
@@ -69,6 +71,11 @@ std::optional<std::size_t> largestThat(const CaseOfDirection& flow, const Vec3& 
   return found;
 }
 
+bool isWall(PatchRole role)
+{
+  return role == PatchRole::Ground || role == PatchRole::Wall || role == PatchRole::RoughWall;
+}
+
 bool isWindy(const PatchChoice& choice, PatchRole role)
 {
   return (choice.role == role || choice.role == PatchRole::InletOutlet) && !choice.supply;
@@ -111,8 +118,15 @@ Box3 boxOfWalls(const CaseOfDirection& flow)
 /// Returns half of the length of a box along a way.
 double halfAlong(const Box3& box, const Vec3& way) { return 0.5 * box.size().cwiseAbs().dot(way.cwiseAbs()); }
 
-/// Returns the distance from a place to the first patch of a role along a way: to its plane, or, without a plane one,
-/// to the end of the domain.
+/// True for a patch that reaches the top of the domain, as its sides do, and openings of buildings do not.
+bool reachesTop(const CaseOfDirection& flow, const CasePatch& patch)
+{
+  const Box3& bounds = flow.mesh.bounds;
+  return !patch.bounds.empty() && patch.bounds.max[2] >= bounds.max[2] - topShare * bounds.size()[2];
+}
+
+/// Returns the distance from a place to the first side of a role along a way: to its plane, or, without a plane one, to
+/// the end of the domain.
 double distanceTo(const CaseOfDirection& flow, PatchRole role, const Vec3& place, const Vec3& way)
 {
   double distance = halfAlong(flow.mesh.bounds, way) + (flow.mesh.bounds.center() - place).dot(way);
@@ -120,7 +134,7 @@ double distanceTo(const CaseOfDirection& flow, PatchRole role, const Vec3& place
   {
     const CasePatch& patch = flow.mesh.patches[i];
     const double across = patch.areaVector.dot(way);
-    if (flow.choices[i].role == role && across > 0.0)
+    if (flow.choices[i].role == role && !flow.choices[i].supply && across > 0.0 && reachesTop(flow, patch))
     {
       distance = std::min(distance, (patch.bounds.center() - place).dot(patch.areaVector) / across);
     }
@@ -134,6 +148,8 @@ double distanceTo(const CaseOfDirection& flow, PatchRole role, const Vec3& place
 CasePatch sideOf(const CaseOfDirection& flow, std::optional<std::size_t> of, const char* otherwise, const Box3& bounds)
 {
   CasePatch side = of ? flow.mesh.patches[*of] : CasePatch{otherwise, "patch"};
+  side.type = of && flow.choices[*of].role == PatchRole::Constraint ? side.type : "patch";
+  side.type = of && isWall(flow.choices[*of].role) ? "wall" : side.type;
   side.bounds = bounds;
   return side;
 }
@@ -166,12 +182,9 @@ Sides sidesOf(const CaseOfDirection& flow, const EmptyDomain& domain, std::optio
     sides.mesh.bounds.extend(vertex);
   }
   const Box3& box = sides.mesh.bounds;
-  sides.mesh.patches = {sideOf(flow, ends.inlet, "inlet", box),
-                        sideOf(flow, ends.outlet, "outlet", box),
-                        sideOf(flow, ends.ground, "ground", box),
-                        sideOf(flow, ends.top, "top", box),
-                        {"side1", "symmetryPlane"},
-                        {"side2", "symmetryPlane"}};
+  sides.mesh.patches = {sideOf(flow, ends.inlet, "inlet", box),      sideOf(flow, ends.outlet, "outlet", box),
+                        sideOf(flow, ends.ground, "ground", box),    sideOf(flow, ends.top, "top", box),
+                        {"symmetryOfEmptyDomain1", "symmetryPlane"}, {"symmetryOfEmptyDomain2", "symmetryPlane"}};
   sides.mesh.patches[2].type = "wall";
   PatchChoice ground{PatchRole::Ground};
   ground.roughness = roughness;
@@ -333,6 +346,10 @@ EmptyDomain emptyDomainOf(const CaseOfDirection& flow)
   domain.wind = flow.wind;
   domain.start = middle - before * flow.wind;
   domain.length = before + distanceTo(flow, PatchRole::Outlet, middle, flow.wind);
+  if (!(before > 0.0) || !(domain.length > before))
+  {
+    throw Error("CheckProfile found no way from an inlet over the buildings to an outlet along the wind");
+  }
   domain.height = flow.mesh.bounds.max[2] - middle[2];
   const double wanted = domain.length / std::max(2.0 * inlet.centers.median, 1e-6 * domain.length);
   domain.cellsAlong = static_cast<int>(std::lround(std::clamp<double>(wanted, leastAlong, mostAlong)));

@@ -191,10 +191,17 @@ void shareMesh(const fs::path& folder)
   writePlainFile(folder / (folder.filename().string() + ".foam"), "");
 }
 
-/// Sets the types of patches by their roles, and writes the parts of the mesh for several processors.
-void finishMesh(const fs::path& caseFolder, PolyMesh& poly, const CaseOfDirection& flow, const RunContext& context)
+/// Sets the types of patches by their roles, writes cell zones if they changed, and the parts for several processors.
+void finishMesh(const fs::path& caseFolder, PolyMesh& poly, bool zonesChanged, const CaseOfDirection& flow,
+                const RunContext& context)
 {
   const FlowCaseSettings& settings = flow.settings;
+  if (zonesChanged)
+  {
+    const fs::path polyMesh = caseFolder / "constant" / "polyMesh";
+    fs::remove(polyMesh / "cellZones"); // without zones there is no file
+    PolyMeshWriter(polyMesh, poly.mesh, settings.format, context.progress).writeCellZones(poly.cellZones);
+  }
   setTypes(caseFolder, poly, changedTypes(flow.mesh, flow.choices));
   if (settings.processors > 1)
   {
@@ -221,23 +228,35 @@ void settleKind(const CaseMesh& mesh, FlowCaseSettings& settings)
   }
 }
 
-/// Drops the zones of trees that an earlier case in the folder has added to the mesh.
-void dropTrees(const fs::path& caseFolder, PolyMesh& poly)
+/// Removes what an earlier case in the folder has added: fields of scalars and sources on file, zones of trees from the
+/// mesh in memory. Returns true if there were zones of trees.
+bool dropEarlier(const fs::path& caseFolder, PolyMesh& poly)
 {
   std::ifstream in(caseFolder / "case.json");
   const auto earlier = nlohmann::json::parse(in, nullptr, false);
-  const auto trees = earlier.is_object() ? earlier.find("tree_zones") : earlier.end();
-  if (in && trees != earlier.end())
+  if (!in || !earlier.is_object())
   {
-    std::erase_if(poly.cellZones, [&](const CellZone& zone) {
-      return std::ranges::find(*trees, nlohmann::json(zone.name)) != trees->end();
-    });
+    return false;
   }
+  const auto listOf = [&](const char* name) { return earlier.value(name, nlohmann::json::array()); };
+  for (const auto& direction : listOf("directions"))
+  {
+    const fs::path folder = caseFolder / direction.value("folder", ".");
+    for (const auto& scalar : listOf("scalars"))
+    {
+      fs::remove(folder / "0" / scalar.value("name", "-"));
+    }
+    fs::remove(folder / "constant" / "fvOptions");
+    fs::remove(folder / "constant" / "fvModels");
+  }
+  const nlohmann::json trees = listOf("tree_zones");
+  return std::erase_if(poly.cellZones, [&](const CellZone& zone) {
+           return std::ranges::find(trees, nlohmann::json(zone.name)) != trees.end();
+         }) > 0;
 }
 
-/// Adds the trees of the settings' file to the mesh, in memory and on file.
-PlantedTrees addTrees(const fs::path& caseFolder, PolyMesh& poly, const CaseOfDirection& flow,
-                      const RunContext& context)
+/// Adds the trees of the settings' file to the mesh, in memory.
+PlantedTrees addTrees(PolyMesh& poly, const CaseOfDirection& flow, const RunContext& context)
 {
   const std::vector<Tree> trees = readTrees(flow.settings.treeFile);
   PlantedTrees planted = plantTrees(poly, trees, flow.namesOf(PatchRole::Ground), context);
@@ -246,19 +265,17 @@ PlantedTrees addTrees(const fs::path& caseFolder, PolyMesh& poly, const CaseOfDi
     throw Error("no tree of '" + flow.settings.treeFile.string() + "' has a cell of the mesh in its crown");
   }
   poly.cellZones.insert(poly.cellZones.end(), planted.zones.begin(), planted.zones.end());
-  PolyMeshWriter(caseFolder / "constant" / "polyMesh", poly.mesh, flow.settings.format, context.progress)
-      .writeCellZones(poly.cellZones);
   return planted;
 }
 
 /// Plants trees for the first direction; the others have the same. Returns the canopies of rules and trees.
-std::vector<CaseCanopy> canopiesOfCase(const fs::path& caseFolder, PolyMesh& poly, const CaseOfDirection& flow,
-                                       WrittenCase& written, nlohmann::ordered_json& report, const RunContext& context)
+std::vector<CaseCanopy> canopiesOfCase(PolyMesh& poly, const CaseOfDirection& flow, WrittenCase& written,
+                                       nlohmann::ordered_json& report, const RunContext& context)
 {
   std::vector<CaseCanopy> canopies = canopiesOf(flow.mesh, flow.settings.canopyRules);
   if (!flow.settings.treeFile.empty())
   {
-    const PlantedTrees planted = addTrees(caseFolder, poly, flow, context);
+    const PlantedTrees planted = addTrees(poly, flow, context);
     const std::size_t count = readTrees(flow.settings.treeFile).size();
     written.summary += summaryOf(planted, count);
     std::ranges::copy(warnOfMissed(planted, count), std::back_inserter(written.warnings));
@@ -294,7 +311,7 @@ CaseOfDirection chosen(const CaseMesh& mesh, const FlowCaseSettings& settings, d
 WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings, const RunContext& context)
 {
   PolyMesh poly = readPolyMesh(caseFolder);
-  dropTrees(caseFolder, poly);
+  const bool hadTrees = dropEarlier(caseFolder, poly);
   const CaseMesh mesh = describeMesh(poly, context);
   settleKind(mesh, settings);
   const std::vector<std::string> folders = foldersOf(settings);
@@ -310,7 +327,7 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
     const fs::path folder = folders[d] == "." ? caseFolder : caseFolder / folders[d];
     CaseOfDirection flow = chosen(mesh, settings, settings.directions[d]);
     const std::vector<std::string> warnings = settle(flow);
-    canopies = d == 0 ? canopiesOfCase(caseFolder, poly, flow, written, treeReport, context) : canopies;
+    canopies = d == 0 ? canopiesOfCase(poly, flow, written, treeReport, context) : canopies;
     flow.canopies = canopies;
     const std::optional<double> upstream = ownRoughnessUpstream(poly, flow);
     upstreams.push_back({folders[d], upstream.value_or(settings.wind.roughness)});
@@ -331,7 +348,7 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
       report.update(treeReport);
       written.summary = flow.isRoom() ? joinedLines(summaryOfRoom(flow), written.summary) : written.summary;
       written.warnings.insert(written.warnings.begin(), warnings.begin(), warnings.end());
-      finishMesh(caseFolder, poly, flow, context);
+      finishMesh(caseFolder, poly, hadTrees || !treeReport.empty(), flow, context);
     }
     addProcessors(folder, folders[d] != ".", settings.processors);
     report["directions"].push_back(describeDirection(flow, settings.directions[d], folders[d]));

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <iomanip>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace atria {
@@ -148,6 +149,7 @@ std::optional<double> roughnessUpstream(const PolyMesh& poly, const CaseOfDirect
   const double begin = beginOfBuildings(poly, flow);
   double area = 0.0;
   double sum = 0.0;
+  std::set<double> lengths;
   for (std::size_t i = 0; i < flow.choices.size(); ++i)
   {
     if (flow.choices[i].role == PatchRole::Ground)
@@ -155,7 +157,15 @@ std::optional<double> roughnessUpstream(const PolyMesh& poly, const CaseOfDirect
       const double its = areaBefore(poly, poly.patches[i], flow.wind, begin);
       area += its;
       sum += its * std::log(flow.roughnessOf(flow.choices[i]));
+      if (its > 0.0)
+      {
+        lengths.insert(flow.roughnessOf(flow.choices[i]));
+      }
     }
+  }
+  if (lengths.size() == 1)
+  {
+    return *lengths.begin();
   }
   return area > 0.0 ? std::optional(std::exp(sum / area)) : std::nullopt;
 }

@@ -300,6 +300,10 @@ class Room(unittest.TestCase):
             self.assertEqual(described["tree_zones"], ["trees_1", "trees_2"])
             self.assertEqual([room["name"] for room in described["rooms"]], ["Hedge"])
             self.assertEqual([canopy["leaf_area_density"] for canopy in described["canopies"]], [1.0, 2.0])
+        self.assertTrue((folder / "constant/fvOptions").exists())
+        folder = self.case(duct, *roles)  # without them
+        self.assertFalse((folder / "constant/fvOptions").exists())
+        self.assertNotIn("trees_1", (folder / "constant/polyMesh/cellZones").read_text(errors="replace"))
         self.refuses(3, "did you mean 'Hedge'?", duct, *roles, "--canopy", "Hegde", "1", "0.2")
         table.write_text("20 1 1.8 1 1 0.2\n20 1 -1 1 1 0.2\n")
         self.refuses(3, "line 2", duct, *roles, "--trees", table)

@@ -60,6 +60,11 @@ TEST(Trees, AreReadFromTables)
   {
     EXPECT_THAT(messageOf([&] { read(wrong); }), HasSubstr("line ")) << wrong;
   }
+  EXPECT_EQ(read("\xEF\xBB\xBF"
+                 "1,2,8,3,1,0.2\n3,4,5,1,2,0.1\n")
+                .size(),
+            2u);
+  EXPECT_THAT(messageOf([&] { read("1,2,8,3,1,O.2\n3,4,5,1,2,0.1\n"); }), HasSubstr("line 1"));
   EXPECT_THAT(messageOf([&] { read("x, y\n"); }), HasSubstr("has no trees"));
   EXPECT_THAT(messageOf([&] { atria::readTrees(scratch.path() / "none.csv"); }), HasSubstr("cannot read"));
 }

@@ -198,6 +198,23 @@ TEST_F(Site, HasAnEmptyDomainAlongTheWind)
   EXPECT_EQ(domain.cellsAlong, 50);
 }
 
+TEST(EmptyDomains, DoNotEndAtOpeningsOfBuildings)
+{
+  atria::CaseMesh mesh = siteMesh();
+  const auto opening = [](double x) { return atria::Box3{atria::Vec3(x, 18, 1), atria::Vec3(x, 20, 2)}; };
+  mesh.patches.push_back({"exhaust", "patch", {2, 0, 0}, 2, opening(40), false, {0.2, 0.2}});
+  mesh.patches.push_back({"vent", "patch", {-2, 0, 0}, 2, opening(50), false, {0.2, 0.2}});
+  const atria::FlowCaseSettings settings;
+  const atria::Vec3 wind(1, 0, 0);
+  std::vector<atria::PatchChoice> choices = choosePatches(mesh, settings, wind);
+  choices[6] = {atria::PatchRole::Outlet};
+  choices[7] = {atria::PatchRole::Inlet};
+  const atria::EmptyDomain domain = atria::emptyDomainOf({mesh, settings, wind, choices, {}});
+  EXPECT_EQ(domain.start, atria::Vec3(0, 20, 0));
+  EXPECT_DOUBLE_EQ(domain.length, 100.0);
+  EXPECT_DOUBLE_EQ(domain.fetch, 40.0);
+}
+
 TEST_F(Site, WithoutGroundHasNoEmptyDomain)
 {
   atria::CaseOfDirection without = flow({});
