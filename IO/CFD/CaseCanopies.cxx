@@ -179,6 +179,7 @@ std::vector<CaseCanopy> canopiesOf(const CaseMesh& mesh, const std::vector<Canop
     }
   }
   std::vector<CaseCanopy> canopies;
+  canopies.reserve(found.size());
   for (const auto& [name, canopy] : found)
   {
     canopies.push_back(canopy);

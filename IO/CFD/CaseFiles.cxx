@@ -262,7 +262,7 @@ void addWalls(Filling& filling, const CaseOfDirection& flow)
   std::vector<std::string> walls = flow.walls();
   for (std::string& name : walls)
   {
-    name = '"' + name + '"';
+    name.insert(0, 1, '"').push_back('"');
   }
   filling.values["walls"] = {foamList(walls)};
 }

@@ -81,6 +81,7 @@ double areaBefore(const PolyMesh& poly, const PolyPatch& patch, const Vec3& wind
 std::string withLengths(const CaseOfDirection& flow, const std::vector<std::size_t>& patches)
 {
   std::vector<std::string> texts;
+  texts.reserve(patches.size());
   for (const std::size_t i : patches)
   {
     texts.push_back("'" + flow.mesh.patches[i].name + "' (" + foamNumber(flow.roughnessOf(flow.choices[i])) + " m)");

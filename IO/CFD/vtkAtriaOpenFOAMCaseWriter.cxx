@@ -53,7 +53,7 @@ void copyMesh(const fs::path& source, const fs::path& target)
 
 vtkAtriaOpenFOAMCaseWriter::vtkAtriaOpenFOAMCaseWriter() = default;
 
-vtkAtriaOpenFOAMCaseWriter::~vtkAtriaOpenFOAMCaseWriter() { this->SetTreeFile(nullptr); }
+vtkAtriaOpenFOAMCaseWriter::~vtkAtriaOpenFOAMCaseWriter() { delete[] this->TreeFile; }
 
 void vtkAtriaOpenFOAMCaseWriter::AddWindAngle(double degrees)
 {
