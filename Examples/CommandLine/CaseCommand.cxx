@@ -370,10 +370,8 @@ void warnOfUnused(vtkAtriaOpenFOAMCaseWriter* writer, const CLI::App& command, C
 
 ExitStatus runCase(const Options& options, const CLI::App& command, Console& console)
 {
-  if (!options.writeConfig.empty())
+  if (writesConfigFile(command, options.writeConfig))
   {
-    checkOutput("--write-config", options.writeConfig, ".toml");
-    writeText(options.writeConfig, configFileOf(command));
     return Done;
   }
   if (options.input.empty() || options.output.empty())
@@ -424,11 +422,7 @@ void addCaseCommand(CLI::App& app, Console& console, ExitStatus& status)
   declarePatches(*command, *options);
   group("Run");
   declareRun(*command, *options);
-  command
-      ->add_option("--write-config", options->writeConfig,
-                   "Write these options, and what others there are, to a file for --config, and make no case")
-      ->configurable(false)
-      ->type_name("OUT.toml");
+  declareConfigFile(*command, options->writeConfig, "make no case");
   command->footer(examples);
   command->callback([options, command, &console, &status] { status = runCase(*options, *command, console); });
 }

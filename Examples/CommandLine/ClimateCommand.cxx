@@ -119,11 +119,7 @@ void declareOutput(CLI::App& command, Options& options)
       ->type_name("FILE.csv");
   command.add_option("--picture", options.picture, "Draw the rose")->type_name("FILE.svg");
   command.add_flag("--json", options.json, "Print JSON");
-  command
-      .add_option("--write-config", options.writeConfig,
-                  "Write these options, and what others there are, to a file for --config, and do nothing else")
-      ->configurable(false)
-      ->type_name("OUT.toml");
+  declareConfigFile(command, options.writeConfig, "do nothing else");
 }
 
 void checkOptions(const Options& options)
@@ -244,10 +240,8 @@ void print(const Climate& climate, const Options& options)
 
 ExitStatus runClimate(const Options& options, const CLI::App& command, Console& console)
 {
-  if (!options.writeConfig.empty())
+  if (writesConfigFile(command, options.writeConfig))
   {
-    checkOutput("--write-config", options.writeConfig, ".toml");
-    writeText(options.writeConfig, configFileOf(command));
     return Done;
   }
   checkOptions(options);

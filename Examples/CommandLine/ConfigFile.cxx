@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ConfigFile.h"
 
+#include "Files.h"
 #include "Numbers.h"
 
 #include <CLI/CLI.hpp>
@@ -83,6 +84,26 @@ std::string configFileOf(const CLI::App& command)
     }
   }
   return out.str();
+}
+
+void declareConfigFile(CLI::App& command, std::string& file, const char* instead)
+{
+  command
+      .add_option("--write-config", file,
+                  std::string("Write these options, and what others there are, to a file for --config, and ") + instead)
+      ->configurable(false)
+      ->type_name("OUT.toml");
+}
+
+bool writesConfigFile(const CLI::App& command, const std::string& file)
+{
+  if (file.empty())
+  {
+    return false;
+  }
+  checkOutput("--write-config", file, ".toml");
+  writeText(file, configFileOf(command));
+  return true;
 }
 
 } // namespace atria::tool

@@ -321,10 +321,8 @@ void completeSizes(MeshOptions& options, vtkAtriaSurfaceReader* reader, Console&
 
 ExitStatus runMesh(MeshOptions options, const CLI::App& command, Console& console, const Workers& workers)
 {
-  if (!options.writeConfig.empty())
+  if (writesConfigFile(command, options.writeConfig))
   {
-    checkOutput("--write-config", options.writeConfig, ".toml");
-    writeText(options.writeConfig, configFileOf(command));
     return Done;
   }
   if (options.input.empty())

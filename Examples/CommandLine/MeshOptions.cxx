@@ -2,6 +2,7 @@
 #include "MeshOptions.h"
 
 #include "Commands.h"
+#include "ConfigFile.h"
 #include "Files.h"
 #include "Numbers.h"
 #include "Support/NamePattern.h"
@@ -236,11 +237,7 @@ void declareRun(CLI::App& command, MeshOptions& options)
       "--preflight", options.preflight,
       "Print domain, blockage, narrowest places and elements to expect, and make no mesh; --report writes them");
   command.add_flag("--estimate", options.estimate, "Print octants by size, elements and memory, and make no mesh");
-  command
-      .add_option("--write-config", options.writeConfig,
-                  "Write these options, and what others there are, to a file for --config, and make no mesh")
-      ->configurable(false)
-      ->type_name("OUT.toml");
+  declareConfigFile(command, options.writeConfig, "make no mesh");
   command.add_option("--threads", options.threads, "Number of threads (default: all cores)")
       ->check(numberIn(1, 1024))
       ->type_name("N");

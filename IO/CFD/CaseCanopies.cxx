@@ -233,6 +233,7 @@ PlantedTrees plantTrees(const PolyMesh& poly, const std::vector<Tree>& trees, co
     bounds.extend(point);
   }
   PlantedTrees planted;
+  planted.count = trees.size();
   std::vector<int> treeOf(poly.mesh.cellCount, -1);
   for (std::size_t i = 0; i < trees.size(); ++i)
   {
@@ -248,7 +249,7 @@ PlantedTrees plantTrees(const PolyMesh& poly, const std::vector<Tree>& trees, co
   return planted;
 }
 
-std::string summaryOf(const PlantedTrees& planted, std::size_t trees)
+std::string summaryOf(const PlantedTrees& planted)
 {
   std::size_t cells = 0;
   double volume = 0.0;
@@ -260,19 +261,19 @@ std::string summaryOf(const PlantedTrees& planted, std::size_t trees)
     names += (i == 0 ? "" : ", ") + planted.zones[i].name;
   }
   std::ostringstream text;
-  text << std::setprecision(3) << trees - planted.missed.size() << " of " << trees << " trees in " << cells
-       << " cells, " << volume << " m3";
+  text << std::setprecision(3) << planted.count - planted.missed.size() << " of " << planted.count << " trees in "
+       << cells << " cells, " << volume << " m3";
   return text.str() + (names.empty() ? "" : ": cell zones " + names);
 }
 
-std::vector<std::string> warnOfMissed(const PlantedTrees& planted, std::size_t trees)
+std::vector<std::string> warnOfMissed(const PlantedTrees& planted)
 {
   if (planted.missed.empty())
   {
     return {};
   }
   std::ostringstream text;
-  text << planted.missed.size() << " of " << trees
+  text << planted.missed.size() << " of " << planted.count
        << " trees are smaller than the cells there, or outside of the mesh, and left out; the first is at ("
        << planted.missed[0].x << " " << planted.missed[0].y << "). Make the mesh finer there";
   return {text.str()};

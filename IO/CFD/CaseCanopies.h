@@ -54,6 +54,7 @@ struct PlantedTrees
 {
   std::vector<CellZone> zones;
   std::vector<CaseCanopy> canopies; ///< one per zone
+  std::size_t count = 0;            ///< number of trees, with those missed
   std::vector<Tree> missed;         ///< trees with no center of a cell in their crowns
 };
 
@@ -63,8 +64,8 @@ PlantedTrees plantTrees(const PolyMesh& poly, const std::vector<Tree>& trees, co
                         const RunContext& context);
 
 /// Returns a sentence on the number of trees, their cells and volume.
-std::string summaryOf(const PlantedTrees& planted, std::size_t trees);
+std::string summaryOf(const PlantedTrees& planted);
 /// Returns warnings of trees that no cell is in; empty without any.
-std::vector<std::string> warnOfMissed(const PlantedTrees& planted, std::size_t trees);
+std::vector<std::string> warnOfMissed(const PlantedTrees& planted);
 
 } // namespace atria

@@ -79,10 +79,14 @@ Lines patchesOf(const CaseField& field, const CaseOfDirection& flow, const std::
   Lines lines;
   for (std::size_t i = 0; i < flow.choices.size(); ++i)
   {
-    Filling its = ofField(fillings[i], flow, field, i);
-    const bool isSymmetry = its.facts.contains("emptyDomain") && its.facts.contains("constraint");
+    const bool isSymmetry = fillings[i].facts.contains("emptyDomain") && fillings[i].facts.contains("constraint");
     const ConditionRule* const rule =
         isSymmetry ? nullptr : conditionOf(flow.settings, std::string(field.name), flow.mesh.patches[i].name);
+    if (!rule && flow.choices[i].role == PatchRole::Wall && !scalarOf(flow, field))
+    {
+      continue;
+    }
+    Filling its = ofField(fillings[i], flow, field, i);
     if (rule || flow.choices[i].role != PatchRole::Wall || its.facts.contains("surfaceSource"))
     {
       its.values["condition"] = rule ? Lines{rule->entries} : textOf(caseConditions(), field.row, its);

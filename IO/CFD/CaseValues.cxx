@@ -283,9 +283,9 @@ std::vector<std::size_t> CaseOfDirection::buildings() const
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < choices.size(); ++i)
   {
-    const bool isWall = choices[i].role == PatchRole::Wall || choices[i].role == PatchRole::RoughWall;
+    const bool isWallOfBuilding = isWall(choices[i].role) && choices[i].role != PatchRole::Ground;
     const Box3& bounds = mesh.patches[i].bounds;
-    if (isWall && !bounds.empty() && lengthOf(bounds) < lengthOfDomain * lengthOf(mesh.bounds))
+    if (isWallOfBuilding && !bounds.empty() && lengthOf(bounds) < lengthOfDomain * lengthOf(mesh.bounds))
     {
       found.push_back(i);
     }

@@ -71,11 +71,6 @@ std::optional<std::size_t> largestThat(const CaseOfDirection& flow, const Vec3& 
   return found;
 }
 
-bool isWall(PatchRole role)
-{
-  return role == PatchRole::Ground || role == PatchRole::Wall || role == PatchRole::RoughWall;
-}
-
 bool isWindy(const PatchChoice& choice, PatchRole role)
 {
   return (choice.role == role || choice.role == PatchRole::InletOutlet) && !choice.supply;

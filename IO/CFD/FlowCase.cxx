@@ -48,7 +48,7 @@ Box3 surroundings(const CaseMesh& mesh, const std::vector<PatchChoice>& choices)
   Box3 walls;
   for (std::size_t i = 0; i < choices.size(); ++i)
   {
-    if (choices[i].role == PatchRole::Wall || choices[i].role == PatchRole::RoughWall)
+    if (isWall(choices[i].role) && choices[i].role != PatchRole::Ground)
     {
       walls.extend(mesh.patches[i].bounds.min);
       walls.extend(mesh.patches[i].bounds.max);
@@ -70,8 +70,7 @@ std::map<std::string, std::string> changedTypes(const CaseMesh& mesh, const std:
   for (std::size_t i = 0; i < choices.size(); ++i)
   {
     const PatchRole role = choices[i].role;
-    const bool isWall = role == PatchRole::Ground || role == PatchRole::Wall || role == PatchRole::RoughWall;
-    const char* const wanted = isWall ? "wall" : "patch";
+    const char* const wanted = isWall(role) ? "wall" : "patch";
     if (role != PatchRole::Constraint && mesh.patches[i].type != wanted)
     {
       types[mesh.patches[i].name] = wanted;
@@ -276,9 +275,8 @@ std::vector<CaseCanopy> canopiesOfCase(PolyMesh& poly, const CaseOfDirection& fl
   if (!flow.settings.treeFile.empty())
   {
     const PlantedTrees planted = addTrees(poly, flow, context);
-    const std::size_t count = readTrees(flow.settings.treeFile).size();
-    written.summary += summaryOf(planted, count);
-    std::ranges::copy(warnOfMissed(planted, count), std::back_inserter(written.warnings));
+    written.summary += summaryOf(planted);
+    std::ranges::copy(warnOfMissed(planted), std::back_inserter(written.warnings));
     for (const CaseCanopy& canopy : planted.canopies)
     {
       report["tree_zones"].push_back(canopy.zone);

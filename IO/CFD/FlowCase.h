@@ -74,6 +74,11 @@ enum class PatchRole
   Constraint ///< a type of OpenFOAM's mesh that each field has too, such as symmetryPlane
 };
 
+inline bool isWall(PatchRole role)
+{
+  return role == PatchRole::Ground || role == PatchRole::Wall || role == PatchRole::RoughWall;
+}
+
 struct PatchChoice
 {
   PatchRole role = PatchRole::Wall;

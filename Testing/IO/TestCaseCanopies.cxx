@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CaseFiles.h"
-#include "Support/Error.h"
+#include "Support/ErrorMessage.h"
 #include "Support/TestPaths.h"
 
 #include <gmock/gmock.h>
@@ -11,20 +11,8 @@
 namespace {
 
 using atria::OpenFOAMDialect;
+using atria::testing::messageOf;
 using testing::HasSubstr;
-
-std::string messageOf(const std::function<void()>& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const atria::Error& error)
-  {
-    return error.what();
-  }
-  return {};
-}
 
 TEST(CanopyRules, OfSeveralTheLastHolds)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CaseFiles.h"
-#include "Support/Error.h"
+#include "Support/ErrorMessage.h"
 #include "Support/TestPaths.h"
 
 #include <gmock/gmock.h>
@@ -10,20 +10,8 @@ namespace {
 
 using atria::OpenFOAMDialect;
 using atria::PatchRole;
+using atria::testing::messageOf;
 using testing::HasSubstr;
-
-std::string messageOf(const std::function<void()>& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const atria::Error& error)
-  {
-    return error.what();
-  }
-  return {};
-}
 
 /// A room with an inlet, an outlet and two walls, and two cell zones.
 class CaseScalars : public testing::Test

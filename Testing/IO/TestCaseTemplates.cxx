@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CaseFiles.h"
-#include "Support/Error.h"
+#include "Support/ErrorMessage.h"
 #include "Support/TestPaths.h"
 
 #include <gmock/gmock.h>
@@ -15,24 +15,12 @@ using atria::Lines;
 using atria::OpenFOAMDialect;
 using atria::PatchRole;
 using atria::TurbulenceModel;
+using atria::testing::messageOf;
 using testing::HasSubstr;
 
 Lines filled(std::string_view text, const std::map<std::string, Lines>& values)
 {
   return atria::fillTemplate(text, [&](const std::string& name) { return values.at(name); });
-}
-
-std::string messageOf(const std::function<void()>& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const atria::Error& error)
-  {
-    return error.what();
-  }
-  return {};
 }
 
 TEST(FoamTemplate, HasValuesWithinLines)

@@ -3,7 +3,7 @@
 #include "FoamText.h"
 #include "OpeningNames.h"
 #include "PolyMesh.h"
-#include "Support/Error.h"
+#include "Support/ErrorMessage.h"
 #include "Support/TestPaths.h"
 
 #include <gmock/gmock.h>
@@ -16,6 +16,7 @@
 namespace {
 
 using atria::PatchRole;
+using atria::testing::messageOf;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
@@ -27,19 +28,6 @@ atria::CasePatch patch(const std::string& name, const std::string& type, const a
   made.areaVector = areaVector;
   made.area = area;
   return made;
-}
-
-std::string messageOf(const std::function<void()>& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const atria::Error& error)
-  {
-    return error.what();
-  }
-  return {};
 }
 
 TEST(WindProfile, PassesThroughItsReference)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "EmptyDomain.h"
 #include "GroundRoughness.h"
-#include "Support/Error.h"
+#include "Support/ErrorMessage.h"
 #include "Support/TestPaths.h"
 
 #include <gmock/gmock.h>
@@ -13,22 +13,10 @@ namespace {
 
 using atria::OpenFOAMDialect;
 using atria::PatchRole;
+using atria::testing::messageOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-std::string messageOf(const std::function<void()>& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const atria::Error& error)
-  {
-    return error.what();
-  }
-  return {};
-}
 
 /// A box 100 m x 40 m x 20 m, with a house of 10 m from x = 40 m on and two grounds: `lawn` before x = 30 m, and
 /// `road`.
