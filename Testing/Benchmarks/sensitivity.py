@@ -197,7 +197,7 @@ def near(boxes):
     return {(x + i, y + j, z + k) for x, y, z in boxes for i in steps for j in steps for k in steps}
 
 
-COLUMNS = (("angle", "worst angle, °", "{:+.1f}"), ("skewness", "skewness", "{:+.2f}"), ("curves", "curves, %", "{:+.1f}"))
+COLUMNS = (("angle", "worst angle, °", "{:+.1f}"),)  # the results have skewness, curves and seconds, too
 
 
 def cell(values, none):
@@ -221,29 +221,27 @@ def count(by_model):
     return f"{differing}" + (f" ({failed} not meshed)" if failed else "")
 
 
-def row(constant, changes, seconds):
+def row(constant, changes):
     """One line of the table: of each figure the greatest change in any model, of the smaller and the larger constant."""
     signs = [changes[sign] for sign in SIGNS]
     cells = [cell([greatest(by_model, key, form) for by_model in signs], "") for key, _, form in COLUMNS]
-    times = [f"{100.0 * sum(found['seconds'] for found in by_model.values()) / seconds:+.0f}" if count(by_model) != "0" else "–"
-             for by_model in signs]
-    return " | ".join((f"| `{constant.file}` `{constant.name}`", constant.value, cell([count(by_model) for by_model in signs], "0"),
-                       *cells, "/".join(times) + " |"))
+    return " | ".join((f"| `{constant.file}` `{constant.name}`", cell([count(by_model) for by_model in signs], "0"),
+                       *cells)) + " |"
 
 
 def table(constants, results):
     """Those that nothing notices come last, in a list by file."""
-    lines = ["| constant | value | models | " + " | ".join(title for _, title, _ in COLUMNS) + " | time, % |",
-             "|" + "---|" * (4 + len(COLUMNS))]
+    lines = ["| constant | models | " + " | ".join(title for _, title, _ in COLUMNS) + " |",
+             "|" + "---|" * (2 + len(COLUMNS))]
     silent, unmeasured = {}, 0
     for constant in constants:
         changes = results["changes"].get(constant.key)
         if not changes:
             unmeasured += 1
         elif any(model["differs"] for by_model in changes.values() for model in by_model.values()):
-            lines.append(row(constant, changes, results["seconds"]))
+            lines.append(row(constant, changes))
         else:
-            silent.setdefault(constant.file, []).append(f"`{constant.name}` {constant.value}")
+            silent.setdefault(constant.file, []).append(f"`{constant.name}`")
     names = [textwrap.fill(f"- `{file}`: " + ", ".join(found), 118, subsequent_indent="  ", break_long_words=False,
                            break_on_hyphens=False) for file, found in silent.items()]
     return "\n".join([*lines, "", f"Nothing in these meshes notices {sum(map(len, silent.values()))} constants "

@@ -23,19 +23,26 @@ def row(*cells):
     return "| " + " | ".join(str(c) for c in cells) + " |"
 
 
+def joined(values, form):
+    """Values of all numbers of threads, separated by slashes; one if all are the same."""
+    texts = [format(value, form) for value in values]
+    return texts[0] if len(set(texts)) == 1 else "/".join(texts)
+
+
 def comparison(found):
-    lines = [row("mesher", "threads", "elements", "s", "s of the processor", "elements a s of the processor",
-                 "bytes an element", "times Atria's time"), row(*["---"] * 8)]
+    lines = [row("mesher", "elements", "s on 1/2 threads", "s of the processor", "bytes an element", "times Atria's time"),
+             row(*["---"] * 6)]
     for mesher, by_threads in found.items():
-        for threads, result in by_threads.items():
-            if not result:
-                lines.append(row(mesher, threads, "failed", *[""] * 5))
-                continue
-            ours = found["Atria"].get(threads)
-            lines.append(row(mesher, threads, f"{result['elements']:,}", f"{result['wall']:.2f}",
-                             f"{result['processor']:.2f}", f"{result['elements'] / result['processor']:,.0f}",
-                             f"{result['bytes'] / result['elements']:.0f}",
-                             f"{result['wall'] / ours['wall']:.1f}" if ours else ""))
+        made = {threads: result for threads, result in by_threads.items() if result}
+        if not made:
+            lines.append(row(mesher, "failed", *[""] * 4))
+            continue
+        ours = {threads: found["Atria"].get(threads) for threads in made}
+        ratios = [result["wall"] / ours[threads]["wall"] for threads, result in made.items() if ours[threads]]
+        lines.append(row(mesher + "".join(f", failed on {threads}" for threads in by_threads if threads not in made),
+                         joined([r["elements"] for r in made.values()], ",d"), joined([r["wall"] for r in made.values()], ".2f"),
+                         joined([r["processor"] for r in made.values()], ".2f"),
+                         joined([r["bytes"] / r["elements"] for r in made.values()], ".0f"), joined(ratios, ".1f") if ratios else ""))
     covered = [r["covered"] for r in found.get("snappyHexMesh", {}).values() if r and "covered" in r]
     if covered:
         lines += ["", f"snappyHexMesh's layer is on {100 * min(covered):.0f} % of the requested faces."]
@@ -51,28 +58,31 @@ def rises(peaks):
             before = peak
 
 
-def stages(found):
-    lines = [row("stage", "s, 1 thread", "s, 2 threads"), row("---", "---", "---")]
-    one, two = (found["Atria"].get(n) for n in ("1", "2"))
-    for stage in list((one or two)["stages"])[1:]:  # reading takes milliseconds
-        lines.append(row(stage, *(f"{r['stages'][stage]:.3f}" if r else "" for r in (one, two))))
-    lines += ["", row("while", "peak memory, bytes an element"), row("---", "---")]
-    result = one or two
-    return lines + [row(phase or "Starting", f"{peak / result['elements']:.0f}") for phase, peak in rises(result["peaks"])]
+def stages(works):
+    """Seconds of the stages and peaks of memory; `works` has Atria's results by case and threads."""
+    first = {case: next(filter(None, found.values())) for case, found in works.items()}
+    lines = [row("stage, s on 1/2 threads", *works), row(*["---"] * (len(works) + 1))]
+    for stage in list(next(iter(first.values()))["stages"])[1:]:  # reading takes milliseconds
+        lines.append(row(stage, *(joined([r["stages"][stage] for r in found.values() if r], ".3f") for found in works.values())))
+    peaks = {case: dict(rises(result["peaks"])) for case, result in first.items()}
+    lines += ["", row("peak memory while, bytes an element", *works), row(*["---"] * (len(works) + 1))]
+    for phase in dict.fromkeys(phase for result in first.values() for phase, _ in result["peaks"]):
+        if any(phase in found for found in peaks.values()):
+            lines.append(row(phase or "Starting", *(f"{peaks[case][phase] / first[case]['elements']:.0f}" if phase in peaks[case] else ""
+                                                    for case in works)))
+    return lines
 
 
 AFTER = {"quality": "the quality filter", "write_vtu": "writing .vtu", "write_openfoam": "writing OpenFOAM's files"}
 
 
-def after(by_threads, ours):
-    """What follows a mesh, beside the time it took itself."""
-    lines = [row("after it", *(f"s, {threads} threads" for threads in by_threads), "times meshing"),
-             row(*["---"] * (len(by_threads) + 2))]
-    most = list(by_threads)[-1]
+def after(works):
+    """What follows a mesh, by case and threads."""
+    lines = [row("after meshing, s on 1/2 threads", *works), row(*["---"] * (len(works) + 1))]
     for key, name in AFTER.items():
-        if key in by_threads[most]:
-            ratio = f"{by_threads[most][key] / ours[most]['wall']:.2f}" if ours.get(most) else ""
-            lines.append(row(name, *(f"{stages[key]:.3f}" for stages in by_threads.values()), ratio))
+        if any(key in seconds for by_threads in works.values() for seconds in by_threads.values()):
+            lines.append(row(name, *(joined([seconds[key] for seconds in by_threads.values() if key in seconds], ".3f")
+                                     for by_threads in works.values())))
     return lines
 
 
@@ -99,8 +109,7 @@ def verdicts(results, cases):
         if len(series) > 1:
             xs = [r["elements"] for r in series]
             for what in ("processor", "bytes"):
-                lines.append(row(f"Exponent of {'time' if what == 'processor' else 'memory'} in elements between 0.95 "
-                                 f"and 1.05, {name}, {xs[0]:,} to {xs[-1]:,}",
+                lines.append(row(f"Exponent of {'time' if what == 'processor' else 'memory'} in elements 0.95 to 1.05, {name}",
                                  f"{exponent(xs, [r[what] for r in series]):.2f}"))
     return lines
 
@@ -120,9 +129,8 @@ def without_repeats(found, case, bare):
 
 
 def octrees(series):
-    lines = [row("octree and 2:1 balance of", "leaves", "s of the processor", "leaves a s"), row(*["---"] * 4)]
-    return lines + [row(r["name"].replace("/", ", depth "), f"{r['leaves']:,}", f"{r['seconds']:.4f}",
-                        f"{r['leaves'] / r['seconds']:,.0f}") for r in series]
+    lines = [row("octree and 2:1 balance of", "leaves", "s of the processor"), row(*["---"] * 3)]
+    return lines + [row(r["name"].replace("/", ", depth "), f"{r['leaves']:,}", f"{r['seconds']:.4f}") for r in series]
 
 
 def report(results, cases):
@@ -145,12 +153,13 @@ def report(results, cases):
         if found := results["meshers"].get(case.name):
             lines += ["", f"## {case.title}", "", *comparison(without_repeats(found, case, bare))]
             staged = [r for r in found["Atria"].values() if r and "stages" in r]
-            if staged and not (case.like or case.name in bare):
-                lines += ["", *stages(found)]
-            elif staged:  # of the same model and sizes as a case before
-                lines += ["", f"Layers take {' and '.join(format(r['stages']['layers'], '.3f') for r in staged)} s, other stages as above."]
-            if by_threads := results.get("after", {}).get(case.name):
-                lines += ["", *after(by_threads, found["Atria"])]
+            if staged and (case.like or case.name in bare):  # of the same model and sizes as a case before
+                lines += ["", f"Layers take {' and '.join(format(r['stages']['layers'], '.3f') for r in staged)} s, other stages hardly differ."]
+    names = [case.name for case in cases if not (case.like or case.name in bare)]
+    if works := {name: results["meshers"][name]["Atria"] for name in names if name in results["meshers"]}:
+        lines += ["", "## Stages, memory, and what follows", "", *stages(works)]
+    if works := {name: results["after"][name] for name in names if name in results.get("after", {})}:
+        lines += ["", *after(works)]
     if series := results.get("octrees"):
         lines += ["", "## Octree and balance, one core", "", "Across faces, edges and corners.", "",
                   *octrees(series[-2:])]  # the deepest
