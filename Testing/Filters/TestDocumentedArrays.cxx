@@ -16,6 +16,7 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <sstream>
 
 namespace {
 
@@ -43,7 +44,7 @@ std::vector<std::string> cellsOf(const std::string& row)
   return cells;
 }
 
-/// "name on type" of the table under the heading that has this text.
+/// "name on type" of the tables under the heading that has this text. A row may have several names.
 std::vector<std::string> documented(const std::string& heading)
 {
   std::ifstream file(atria::testing::dataFolder().parent_path().parent_path() / "docs" / "arrays.md");
@@ -55,7 +56,11 @@ std::vector<std::string> documented(const std::string& heading)
     if (inside && line.starts_with("| `"))
     {
       const std::vector<std::string> cells = cellsOf(line);
-      rows.push_back(cells.at(0) + " " + cells.at(1) + " " + cells.at(2));
+      std::istringstream names(cells.at(0));
+      for (std::string name; std::getline(names >> std::ws, name, ',');)
+      {
+        rows.push_back(name + " " + cells.at(1));
+      }
     }
   }
   return rows;
