@@ -4,7 +4,6 @@
 
 #include "Support/Types.h"
 
-#include <array>
 #include <vector>
 
 namespace atria {
@@ -44,9 +43,8 @@ struct BodyAudit
   /// of ground surfaces are not counted.
   std::size_t closed = 0;
   double volume = 0.0;
-  /// Volume of all overlaps of two bodies, and the surfaces of the two that overlap most.
+  /// The sum of the bodies' volumes within the domain beyond `volume`: what n bodies share counts n − 1 times.
   double overlap = 0.0;
-  std::array<Index, 2> overlapping{noIndex, noIndex};
   /// True if no ground surface rises above the domain's bottom by more than half of `sizeMin`: solids alone are left
   /// out of the domain.
   bool isOnFlatGround = false;

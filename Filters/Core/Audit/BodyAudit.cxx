@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace atria {
 
@@ -61,8 +62,8 @@ class BodyAuditor
 public:
   BodyAuditor(const DrawnModel& drawnModel, const PlacedPrism& prism, const std::vector<ZoneSummary>& zoneSummaries,
               double finest)
-      : drawn(drawnModel), bodies(drawnModel.bodies), domain(prism),
-        region(prism, 1e-9 * prism.bounds.size().maxCoeff()), zones(zoneSummaries), sizeMin(finest)
+      : drawn(drawnModel), bodies(drawnModel.bodies), domain(prism), region(prism, tolerance(prism)),
+        above(spaceAbove(prism)), zones(zoneSummaries), sizeMin(finest)
   {
   }
 
@@ -77,7 +78,18 @@ public:
   }
 
 private:
+  static double tolerance(const PlacedPrism& prism) { return 1e-9 * prism.bounds.size().maxCoeff(); }
+
+  /// Returns the space above a domain, which shares no faces with it.
+  static ConvexRegion spaceAbove(PlacedPrism prism)
+  {
+    prism.bounds.min[2] = prism.bounds.max[2] + 2.0 * tolerance(prism);
+    prism.bounds.max[2] = std::numeric_limits<double>::max();
+    return {prism, 0.0};
+  }
+
   double bottom() const { return domain.bounds.min[2]; }
+  double top() const { return domain.bounds.max[2]; }
 
   bool isOnFlatGround() const
   {
@@ -116,7 +128,7 @@ private:
     }
   }
 
-  /// Returns the volume of a body in the domain, as an integral of heights above the bottom.
+  /// Returns the volume of a body in the domain, as an integral of heights above the bottom and up to the top.
   double volumeWithin(const DrawnBody& body) const
   {
     double volume = 0.0;
@@ -128,15 +140,26 @@ private:
       const Vec3 normal = (b - a).cross(c - a);
       if (const double length = normal.norm(); length > 0.0)
       {
-        volume += normal[2] / length * region.within(a, b, c, bottom()).heightTimesArea;
+        volume += normal[2] / length *
+                  (region.within(a, b, c, bottom()).heightTimesArea +
+                   above.within(a, b, c, bottom()).area * (top() - bottom()));
       }
     }
     return volume;
   }
 
-  /// Returns the pairs of bodies whose boxes meet within the domain.
-  std::vector<std::array<Index, 2>> pairs() const
+  /// Two bodies, the larger one first, and a box along the model's axes around what they share in the domain.
+  struct Pair
   {
+    Index larger;
+    Index smaller;
+    Box3 box;
+  };
+
+  /// Numbers the bodies in the domain from the largest on. Others have no number.
+  void rankBodies()
+  {
+    const std::vector<DrawnBody>& all = bodies.bodies();
     std::vector<Index> order;
     for (Index i = 0; i < within.size(); ++i)
     {
@@ -145,67 +168,114 @@ private:
         order.push_back(i);
       }
     }
+    std::ranges::stable_sort(order, std::ranges::greater{}, [&](Index i) { return std::abs(all[i].volume); });
+    ranks.assign(all.size(), noIndex);
+    for (Index rank = 0; rank < order.size(); ++rank)
+    {
+      ranks[order[rank]] = rank;
+    }
+  }
+
+  /// Returns the pairs of bodies whose boxes meet within the domain.
+  std::vector<Pair> pairs() const
+  {
+    std::vector<Index> order;
+    for (Index i = 0; i < ranks.size(); ++i)
+    {
+      if (ranks[i] != noIndex)
+      {
+        order.push_back(i);
+      }
+    }
     const std::vector<DrawnBody>& all = bodies.bodies();
     std::ranges::stable_sort(order, {}, [&](Index i) { return all[i].bounds.low[0]; });
-    std::vector<std::array<Index, 2>> found;
+    const Box3 around = boundsAlong(Placement(), domain);
+    std::vector<Pair> found;
     for (std::size_t i = 0; i < order.size(); ++i)
     {
-      const LatticeBox& one = all[order[i]].bounds;
-      for (std::size_t k = i + 1; k < order.size() && all[order[k]].bounds.low[0] < one.high[0]; ++k)
+      const Box3 a = bodies.bounds(all[order[i]]);
+      for (std::size_t k = i + 1; k < order.size() && all[order[k]].bounds.low[0] < all[order[i]].bounds.high[0]; ++k)
       {
-        const LatticeBox& other = all[order[k]].bounds;
-        if (one.low[1] < other.high[1] && other.low[1] < one.high[1] && one.low[2] < other.high[2] &&
-            other.low[2] < one.high[2])
+        const Box3 b = bodies.bounds(all[order[k]]);
+        const Box3 box{a.min.cwiseMax(b.min).cwiseMax(around.min), a.max.cwiseMin(b.max).cwiseMin(around.max)};
+        if ((box.min.array() < box.max.array()).all())
         {
-          found.push_back({order[i], order[k]});
+          const bool isLarger = ranks[order[i]] < ranks[order[k]];
+          found.push_back({order[isLarger ? i : k], order[isLarger ? k : i], box});
         }
       }
     }
     return found;
   }
 
+  /// Adds up what each body shares with the union of all larger ones.
   void measureOverlaps()
   {
-    const std::vector<std::array<Index, 2>> all = pairs();
+    rankBodies();
+    std::vector<Pair> all = pairs();
+    std::vector<char> isInside(within.size(), 0);
+    for (const auto& [larger, smaller, box] : all)
+    {
+      if (!isInside[smaller] && bodies.isInside(smaller, larger))
+      {
+        isInside[smaller] = 1;
+        out.overlap += within[smaller];
+      }
+    }
+    std::erase_if(all, [&](const Pair& pair) { return isInside[pair.smaller]; });
     const double perPair = std::sqrt(samples / std::max<double>(1.0, static_cast<double>(all.size())));
     const auto side = static_cast<int>(std::clamp(perPair, fewestSamples, mostSamples));
-    double most = 0.0;
-    for (const auto& [one, other] : all)
+    for (const Pair& pair : all)
     {
-      const double common = commonVolume(one, other, side);
-      out.overlap += common;
-      if (common > most)
-      {
-        most = common;
-        out.overlapping = {bodies.bodies()[one].surface, bodies.bodies()[other].surface};
-      }
+      out.overlap += commonVolume(pair, side);
     }
     out.volume -= out.overlap;
   }
 
-  double commonVolume(Index one, Index other, int side) const
+  /// Returns the volume that two bodies share in the domain, without what a body larger than both shares, too.
+  double commonVolume(const Pair& pair, int side) const
   {
-    for (const auto& [inner, outer] : {std::pair(one, other), std::pair(other, one)})
-    {
-      if (bodies.isInside(inner, outer))
-      {
-        return within[inner];
-      }
-    }
-    const Box3 a = bodies.bounds(bodies.bodies()[one]);
-    const Box3 b = bodies.bounds(bodies.bodies()[other]);
-    const Vec3 low = a.min.cwiseMax(b.min);
-    const Vec3 size = a.max.cwiseMin(b.max) - low;
+    const Vec3 size = pair.box.size();
     double length = 0.0;
     for (int i = 0; i < side; ++i)
     {
       for (int k = 0; k < side; ++k)
       {
-        length +=
-            bodies.commonLength(low[0] + (i + 0.5) / side * size[0], low[1] + (k + 0.5) / side * size[1], one, other);
+        const double x = pair.box.min[0] + (i + 0.5) / side * size[0];
+        const double y = pair.box.min[1] + (k + 0.5) / side * size[1];
+        if (domain.beyond(domain.axes.fromModel({x, y, 0.0}).head<2>()) <= 0.0)
+        {
+          length += commonLength(pair, bodies.crossings(x, y, pair.box.max[2]));
+        }
       }
     }
     return length * size[0] * size[1] / (side * side);
+  }
+
+  double commonLength(const Pair& pair, const std::vector<ClosedBodies::Crossing>& crossings) const
+  {
+    const double low = pair.box.min[2];
+    const double high = pair.box.max[2];
+    std::vector<Index> around; // ranks of the bodies around the place that is reached, in order
+    const auto counts = [&] {
+      return around.size() > 1 && around[0] == ranks[pair.larger] &&
+             std::ranges::binary_search(around, ranks[pair.smaller]);
+    };
+    double length = 0.0;
+    double reached = low;
+    for (const auto& [height, body] : crossings)
+    {
+      const double next = std::clamp(height, low, high);
+      length += counts() ? next - reached : 0.0;
+      reached = next;
+      if (const Index rank = ranks[body]; rank != noIndex)
+      {
+        const auto at = std::ranges::lower_bound(around, rank);
+        const bool leaves = at != around.end() && *at == rank;
+        leaves ? around.erase(at) : around.insert(at, rank);
+      }
+    }
+    return length + (counts() ? high - reached : 0.0);
   }
 
   void findHollow()
@@ -259,9 +329,11 @@ private:
   const ClosedBodies& bodies;
   const PlacedPrism& domain;
   const ConvexRegion region;
+  const ConvexRegion above;
   const std::vector<ZoneSummary>& zones;
   double sizeMin;
   std::vector<double> within; ///< one entry per closed body: its volume in the domain
+  std::vector<Index> ranks;   ///< one entry per closed body: its place by volume among those in the domain, or noIndex
   BodyAudit out;
 };
 

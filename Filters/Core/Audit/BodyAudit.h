@@ -12,7 +12,8 @@ namespace atria {
 /// \param domain   Along the model's axes.
 /// \param zones    Zones of the mesh, along the model's axes.
 /// \param sizeMin  Edge length of the finest octants; smaller bodies are ignored.
-/// The overlap is sampled and right to some hundredths. The result depends neither on threads nor on ranks.
+/// The overlap is sampled and right to some hundredths, except of bodies that lie in others, where it is exact. The
+/// result depends neither on threads nor on ranks.
 BodyAudit auditBodies(const DrawnModel& drawn, const PlacedPrism& domain, const std::vector<ZoneSummary>& zones,
                       double sizeMin);
 

@@ -252,40 +252,28 @@ bool ClosedBodies::isBelow(const LatticePoint& p, const std::array<Index, 3>& tr
   return normal[2] > 0.0 ? above < 0.0 : above > 0.0;
 }
 
-double ClosedBodies::commonLength(double x, double y, Index one, Index other) const
+std::vector<ClosedBodies::Crossing> ClosedBodies::crossings(double x, double y, double top) const
 {
-  const LatticePoint place = latticeOf({x, y, origin_[2]});
-  // Heights at which the way enters or leaves a body.
-  std::vector<std::pair<double, bool>> heights;
-  for (const Index body : {one, other})
+  std::vector<Crossing> found;
+  if (!tree_)
   {
-    const LatticeBox& box = bodies_[body].bounds;
-    const LatticeBox way{{place[0], place[1], box.low[2]}, {place[0], place[1], box.high[2]}};
-    tree_->eachTouching(way, 0, [&](std::size_t at) {
-      const Index triangle = tree_->box(at).id;
-      if (bodyOf_[triangle] == body && isBelow({place[0], place[1], box.low[2] - 1}, soup_.triangles[triangle]))
-      {
-        const auto [a, b, c] = corners(triangle);
-        const Vec3 normal = (b - a).cross(c - a);
-        const double rise = normal[0] * (x - a[0]) + normal[1] * (y - a[1]);
-        heights.emplace_back(
-            std::clamp(a[2] - rise / normal[2], std::min({a[2], b[2], c[2]}), std::max({a[2], b[2], c[2]})),
-            body == one);
-      }
-    });
+    return found;
   }
-  std::ranges::sort(heights);
-  double length = 0.0;
-  double before = 0.0;
-  bool inOne = false;
-  bool inOther = false;
-  for (const auto& [height, isOfOne] : heights)
-  {
-    length += inOne && inOther ? height - before : 0.0;
-    (isOfOne ? inOne : inOther) = !(isOfOne ? inOne : inOther);
-    before = height;
-  }
-  return length;
+  const LatticePoint high = latticeOf({x, y, top});
+  const LatticePoint start{high[0], high[1], -1}; // below all triangles
+  tree_->eachTouching({start, {high[0], high[1], high[2] + 1}}, 0, [&](std::size_t place) {
+    const Index triangle = tree_->box(place).id;
+    if (isBelow(start, soup_.triangles[triangle]))
+    {
+      const auto [a, b, c] = corners(triangle);
+      const Vec3 normal = (b - a).cross(c - a);
+      const double rise = normal[0] * (x - a[0]) + normal[1] * (y - a[1]);
+      found.push_back({std::clamp(a[2] - rise / normal[2], std::min({a[2], b[2], c[2]}), std::max({a[2], b[2], c[2]})),
+                       bodyOf_[triangle]});
+    }
+  });
+  std::ranges::sort(found, {}, [](const Crossing& crossing) { return std::pair(crossing.height, crossing.body); });
+  return found;
 }
 
 std::vector<Index> ClosedBodies::aroundLattice(const LatticePoint& p) const

@@ -42,8 +42,15 @@ public:
   /// Returns the closed bodies around a point in model units, the largest first. O(log n) and the triangles above the
   /// point.
   std::vector<Index> around(const Vec3& point) const { return aroundLattice(latticeOf(point)); }
-  /// Returns the length, in model units, that an upright line shares with the insides of two closed bodies at once.
-  double commonLength(double x, double y, Index one, Index other) const;
+  /// A height, in model units, at which an upright line enters or leaves a closed body.
+  struct Crossing
+  {
+    double height;
+    Index body;
+  };
+  /// Returns where an upright line crosses closed bodies, from below. Crossings above `top` may be missing. O(log n)
+  /// and the triangles at the line.
+  std::vector<Crossing> crossings(double x, double y, double top) const;
   /// True if a body lies wholly inside another one and touches it nowhere, as far as some of its points tell.
   bool isInside(Index inner, Index outer) const;
 
