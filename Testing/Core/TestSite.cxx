@@ -163,6 +163,27 @@ TEST(AutomaticDomain, CountsWhatStandsBehindOneAnotherOnce)
   EXPECT_NEAR(atria::frontalArea(surface, {0, 0, 0}, Placement(0), 0.0), 8 * 30 + 2 * 5 + 80, rounding);
 }
 
+TEST(AutomaticDomain, CountsTrianglesThatAreNarrowerThanAStrip)
+{
+  // A wall of 20 by 6 m in 6000 columns.
+  constexpr Index columns = 6000;
+  std::vector<Vec3> points;
+  std::vector<std::array<Index, 3>> triangles;
+  for (Index i = 0; i <= columns; ++i)
+  {
+    const double y = 20.0 * i / columns;
+    points.insert(points.end(), {Vec3(0, y, 0), Vec3(0, y, 6)});
+    if (i > 0)
+    {
+      triangles.push_back({2 * i - 2, 2 * i, 2 * i - 1});
+      triangles.push_back({2 * i - 1, 2 * i, 2 * i + 1});
+    }
+  }
+  TriangleSurface surface;
+  atria::testing::addSurface(surface, "Wall", points, triangles);
+  EXPECT_NEAR(atria::frontalArea(surface, {0}, Placement(0), 0.0), 120.0, rounding);
+}
+
 TEST(AutomaticDomain, IsWidenedUntilTheBlockageIsSmallEnough)
 {
   TriangleSurface surface;

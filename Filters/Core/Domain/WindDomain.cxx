@@ -51,7 +51,8 @@ std::vector<Shadow> shadowsOf(const TriangleSurface& surface, const SurfaceFlags
   return shadows;
 }
 
-/// Returns the span in which the upright line at y meets the triangle. They must meet.
+/// Returns the span in which the upright line at y meets the triangle. They must meet: y is within the triangle's
+/// range.
 Span spanAt(const Shadow& shadow, double y)
 {
   Span span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -178,11 +179,11 @@ double frontalArea(const TriangleSurface& surface, const SurfaceFlags& isGround,
   for (std::size_t i = 0; i + 1 < strips.size(); ++i)
   {
     const double y = 0.5 * (strips[i] + strips[i + 1]);
-    for (; next < shadows.size() && shadows[next].left <= strips[i]; ++next)
+    for (; next < shadows.size() && shadows[next].left <= y; ++next)
     {
       active.push_back(static_cast<Index>(next));
     }
-    std::erase_if(active, [&](Index s) { return shadows[s].right <= strips[i]; });
+    std::erase_if(active, [&](Index s) { return shadows[s].right < y; });
     spans.clear();
     for (const Index s : active)
     {
