@@ -206,6 +206,26 @@ TEST(ClosedCracks, AreThoseWithinTheToleranceWhereverTheGridIs)
   }
 }
 
+TEST(ClosedCracks, CrossEdgesOnceThatPermeableSurfacesCrossToo)
+{
+  TriangleSurface surface = crackedWall(between + 0.5 * size, 0.4 * size);
+  addSheet(surface, "Screen", Vec3(-0.2, -9, -1), Vec3(0, 18, 0), Vec3(0, 0, 9));
+  FoundZones found(surface, uniformGrid(domain, size));
+  found.model.kinds = {SurfaceKind::wall, SurfaceKind::wall, SurfaceKind::faceZone};
+  found.crossings = findCrossings(found.grid, found.model, found.context());
+  const std::size_t crossed = found.crossings.crossedEdges.size();
+  found.closeCracksUpTo(0.5);
+  EXPECT_NE(found.zoneAt(Vec3(-3, 0, 3)), found.zoneAt(Vec3(3, 0, 3)));
+  EXPECT_EQ(found.crossings.crossedEdges.size(), crossed);
+  for (const CrossedEdge& edge : found.crossings.crossedEdges)
+  {
+    const auto cuts = found.crossings.of(edge);
+    ASSERT_EQ(cuts.size(), 2U);
+    EXPECT_EQ(found.model.surfaceIds[cuts[0].triangle], 2U) << "the screen comes first along x";
+    EXPECT_LT(cuts[0].parameter, cuts[1].parameter);
+  }
+}
+
 TEST(ClosedCracks, WiderGapsStayOpenAndAtZeroAllDo)
 {
   for (const auto& [part, tolerance] : {std::pair(0.51, 0.5), std::pair(0.3, 0.25), std::pair(0.1, 0.0)})

@@ -18,14 +18,42 @@ bool isUncut(Index point, int direction, const Crossings& crossings)
                    : DualMesh::isBoundary(code) && crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)].onDomainSide;
 }
 
-/// Adds the cut of an edge to the crossings, as findCrossings does.
-void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model, const PassingEdge& passage)
+/// Adds a cut to a crossed edge, in order of the edge's cuts.
+void add(const SurfaceCrossing& cut, CrossedEdge& edge, std::vector<SurfaceCrossing>& cuts)
+{
+  std::vector<SurfaceCrossing> all(cuts.begin() + edge.begin, cuts.begin() + edge.begin + edge.count);
+  all.insert(std::ranges::upper_bound(all, cut.parameter, {}, &SurfaceCrossing::parameter), cut);
+  edge.begin = static_cast<std::uint32_t>(cuts.size());
+  edge.count = static_cast<std::uint32_t>(all.size());
+  cuts.insert(cuts.end(), all.begin(), all.end());
+}
+
+/// Returns the edge among the first `count` crossed ones, which are sorted; null if only others are crossed.
+CrossedEdge* findCrossed(Crossings& crossings, std::size_t count, const PassingEdge& passage)
+{
+  const auto edges = std::span(crossings.crossedEdges).first(count);
+  const auto keyOf = [](const CrossedEdge& edge) { return std::pair(edge.point, edge.direction); };
+  const auto at = std::ranges::lower_bound(edges, passage.edge(), {}, keyOf);
+  return at != edges.end() && keyOf(*at) == passage.edge() ? &*at : nullptr;
+}
+
+/// Adds the cut of an edge to the crossings, as findCrossings does. Permeable surfaces may cross the edge, too, which
+/// is then among the first `count` crossed ones.
+void cut(Crossings& crossings, std::size_t count, const GridPlaces& grid, const SurfaceModel& model,
+         const PassingEdge& passage)
 {
   const GridPlaces::Edge edge = grid.edge(passage.point, passage.direction);
-  crossings.crossedEdges.push_back({passage.point, edge.other, passage.direction,
-                                    grid.segment(passage.point, passage.direction, edge),
-                                    static_cast<std::uint32_t>(crossings.cuts.size()), 1});
-  crossings.cuts.push_back(passage.cut);
+  if (CrossedEdge* crossed = findCrossed(crossings, count, passage))
+  {
+    add(passage.cut, *crossed, crossings.cuts);
+  }
+  else
+  {
+    crossings.crossedEdges.push_back({passage.point, edge.other, passage.direction,
+                                      grid.segment(passage.point, passage.direction, edge),
+                                      static_cast<std::uint32_t>(crossings.cuts.size()), 1});
+    crossings.cuts.push_back(passage.cut);
+  }
   const Index tag = model.surfaceIds[passage.cut.triangle];
   const Index chart = model.charts[passage.cut.triangle];
   std::int32_t& code = crossings.neighbors[passage.point][passage.direction];
@@ -35,13 +63,13 @@ void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model
     face = {passage.point, tag, noIndex, passage.direction, seenFromStart(passage.cut), false, chart};
     return;
   }
-  const auto add = [&](const BoundaryFace& face) {
+  const auto addFace = [&](const BoundaryFace& face) {
     crossings.neighbors[face.element][face.direction] = ~static_cast<std::int32_t>(crossings.boundaryFaces.size());
     crossings.boundaryFaces.push_back(face);
   };
-  add({passage.point, tag, edge.other, passage.direction, seenFromStart(passage.cut), false, chart});
-  add({edge.other, tag, passage.point, static_cast<std::uint8_t>(opposite(passage.direction)), seenFromEnd(passage.cut),
-       false, chart});
+  addFace({passage.point, tag, edge.other, passage.direction, seenFromStart(passage.cut), false, chart});
+  addFace({edge.other, tag, passage.point, static_cast<std::uint8_t>(opposite(passage.direction)),
+           seenFromEnd(passage.cut), false, chart});
 }
 
 /// Returns the edges that pass the bridges of a boundary edge, and the bridges to the next boundary edges at its ends.
@@ -175,11 +203,12 @@ Crossings closeCracks(Crossings crossings, const BoundaryGaps& gaps, const GridP
     passages.insert(passages.end(), part.begin(), part.end());
   }
   std::sort(passages.begin(), passages.end());
+  const std::size_t crossedBefore = crossings.crossedEdges.size();
   for (std::size_t i = 0; i < passages.size(); ++i)
   {
     if (i == 0 || passages[i].edge() != passages[i - 1].edge())
     {
-      cut(crossings, grid, context.model, passages[i]);
+      cut(crossings, crossedBefore, grid, context.model, passages[i]);
     }
   }
   return crossings;
