@@ -49,10 +49,23 @@ TEST_F(MemoryLimit, WhatWouldTakeForEverIsRefusedAtOnce)
   EXPECT_THAT(fine, Not(HasSubstr("SizeMax,")));
   EXPECT_THAT(refusal(twoBoxes(), gridOf(24.0, 1e-3, 1e-3, 1e-3), sizing), HasSubstr("raise SizeMax"));
   sizing.boxes = {{{Vec3(-1, -1, -1), Vec3(1, 1, 1)}, 1e-4}};
-  EXPECT_THAT(refusal(twoBoxes(), gridOf(24.0, 0.5, 1.0, 4.0), sizing), HasSubstr("finer sizes asked for"));
+  EXPECT_THAT(refusal(twoBoxes(), gridOf(24.0, 0.5, 1.0, 4.0), sizing), HasSubstr("finer requested sizes"));
   sizing.boxes.clear();
   sizing.distanceSizes = {{"Detail", 1.0, 1e-4}};
-  EXPECT_THAT(refusal(twoBoxes(), gridOf(24.0, 0.5, 1.0, 4.0), sizing), HasSubstr("finer sizes asked for"));
+  EXPECT_THAT(refusal(twoBoxes(), gridOf(24.0, 0.5, 1.0, 4.0), sizing), HasSubstr("finer requested sizes"));
+}
+
+TEST_F(MemoryLimit, OfNoneThereAreAsManyElementsAsNumbers)
+{
+  const std::string text = refusal(twoBoxes(), gridOf(24.0, 1e-4, 1e-4, 4.0), {});
+  EXPECT_THAT(text, AllOf(HasSubstr("2.1 billion are the most there can be"), HasSubstr("raise SizeMin and SizeMid")));
+}
+
+TEST_F(MemoryLimit, OfLessThanAnElementFitsNothing)
+{
+  SizingOptions sizing;
+  sizing.memoryLimit = bytesPerElement - 1;
+  EXPECT_NE(refusal(twoBoxes(), gridOf(24.0, 1.0, 1.0, 4.0), sizing), "");
 }
 
 TEST_F(MemoryLimit, TheSizeItNamesFitsAndAQuarterOfItDoesNot)

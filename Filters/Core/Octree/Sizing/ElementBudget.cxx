@@ -69,18 +69,22 @@ std::string inWords(double count)
 }
 
 ElementBudget::ElementBudget(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options)
-    : model_(model), frame_(frame), options_(options),
-      most(std::min(options.memoryLimit / bytesPerElement, mostNumbers))
+    : model_(model), frame_(frame), options_(options)
 {
+  const std::size_t fit =
+      options.memoryLimit == 0 ? mostNumbers : std::min(options.memoryLimit / bytesPerElement, mostNumbers);
   // MaxElements already keeps the mesh within the memory if it is the lower limit.
-  most = options.maxElements > 0 && options.maxElements <= most ? 0 : most;
+  if (options.maxElements == 0 || options.maxElements > fit)
+  {
+    most = fit;
+  }
 }
 
 void ElementBudget::check(std::span<const std::span<const MortonKey>> refined, const RunContext& context)
 {
   // With fewer leaves a look ahead would cost more than the octants.
   constexpr std::size_t many = 500'000;
-  if (most == 0 || mostLeaves(refined) <= std::min(most, many))
+  if (!most || mostLeaves(refined) <= std::min(*most, many))
   {
     return;
   }
@@ -88,13 +92,13 @@ void ElementBudget::check(std::span<const std::span<const MortonKey>> refined, c
   {
     hasLooked = true;
     ahead = sampleOctants(model_, frame_, options_, {context.executor, context.progress.part(0.0, 0.0)});
-    if (leastGrowth * ahead.leaves() > static_cast<double>(most))
+    if (leastGrowth * ahead.leaves() > static_cast<double>(*most))
     {
       refuse(ahead.leaves());
     }
   }
-  const std::size_t leaves = mostLeaves(refined) > most ? leavesInDomain(refined, frame_, context) : 0;
-  if (leaves > most)
+  const std::size_t leaves = mostLeaves(refined) > *most ? leavesInDomain(refined, frame_, context) : 0;
+  if (leaves > *most)
   {
     refuse(static_cast<double>(leaves));
   }
@@ -112,7 +116,7 @@ std::string ElementBudget::textFor(double elements) const
   const Vec3 domain = frame_.domain.size();
   std::ostringstream text;
   text.precision(4);
-  text << "the sizes asked for make about " << inWords(elements) << " elements or more, which take "
+  text << "the requested sizes make about " << inWords(elements) << " elements or more, which take "
        << inGigabytes(elements * bytesPerElement) << " of memory; "
        << (most == mostNumbers ? "2.1 billion are the most there can be"
                                : "there are " + inGigabytes(static_cast<double>(options_.memoryLimit)))
@@ -132,7 +136,7 @@ std::string ElementBudget::textFor(double elements) const
 std::string ElementBudget::adviceFor() const
 {
   int depth = frame_.depth;
-  while (depth > 0 && mostGrowth * ahead.leavesDownTo(static_cast<std::size_t>(depth)) > static_cast<double>(most))
+  while (depth > 0 && mostGrowth * ahead.leavesDownTo(static_cast<std::size_t>(depth)) > static_cast<double>(*most))
   {
     --depth;
   }
@@ -141,12 +145,12 @@ std::string ElementBudget::adviceFor() const
   text << "Octants of " << frame_.sizeOf(depth) << " m fit, ";
   if (depth < std::max(frame_.topLevel, frame_.startLevel))
   {
-    text << "but SizeMax or StartLevel asks for finer ones everywhere: raise SizeMax, lower StartLevel, or make the "
+    text << "but SizeMax or StartLevel requires finer ones everywhere: raise SizeMax, lower StartLevel, or make the "
             "domain smaller.";
     return text.str();
   }
   text << "finer ones do not: raise SizeMin" << (frame_.midLevel > depth ? " and SizeMid" : "")
-       << (frame_.depth > frame_.featureLevel ? ", and finer sizes asked for," : "") << " to that.";
+       << (frame_.depth > frame_.featureLevel ? ", and finer requested sizes," : "") << " to that.";
   return text.str();
 }
 

@@ -5,6 +5,7 @@
 #include "Octree/Sizing/OctantSample.h"
 #include "Support/Error.h"
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -32,7 +33,8 @@ public:
   OctantCounts octants;
 };
 
-/// Refuses sizes whose mesh does not fit the memory. Keeps references to all arguments.
+/// Refuses sizes whose mesh does not fit the memory, or has more elements than numbers. Keeps references to all
+/// arguments.
 class ElementBudget
 {
 public:
@@ -50,8 +52,8 @@ private:
   const SurfaceModel& model_;
   const GridFrame& frame_;
   const SizingOptions& options_;
-  /// Elements that fit; 0 is no limit.
-  std::size_t most;
+  /// Elements that fit the memory, if there is a limit, and numbers; nullopt if MaxElements is no higher.
+  std::optional<std::size_t> most;
   bool hasLooked = false;
   OctantCounts ahead;
 };
