@@ -4,6 +4,7 @@
 #include "ConfigFile.h"
 #include "Console.h"
 #include "Files.h"
+#include "InputFiles.h"
 #include "Numbers.h"
 
 #include <vtkAtriaOpenFOAMCaseWriter.h>

@@ -6,6 +6,7 @@
 #include "Console.h"
 #include "Files.h"
 #include "Numbers.h"
+#include "OutputFiles.h"
 
 #include <ClimateTable.h>
 #include <RosePicture.h>

@@ -3,6 +3,7 @@
 
 #include "Files.h"
 #include "Numbers.h"
+#include "OutputFiles.h"
 
 #include <CLI/CLI.hpp>
 

@@ -3,7 +3,7 @@
 #include "Commands.h"
 #include "Console.h"
 #include "ExportOptions.h"
-#include "Files.h"
+#include "InputFiles.h"
 
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkUnstructuredGrid.h>

@@ -5,6 +5,7 @@
 #include "Console.h"
 #include "Files.h"
 #include "Numbers.h"
+#include "OutputFiles.h"
 #include "Workers.h"
 
 #include <vtkAtriaCGNSWriter.h>

@@ -2,7 +2,7 @@
 /// The options that write a mesh in formats of solvers.
 #pragma once
 
-#include "Files.h"
+#include "OutputFiles.h"
 #include "Report.h"
 
 #include <string>

@@ -4,8 +4,10 @@
 #include "Console.h"
 #include "ExportOptions.h"
 #include "Files.h"
+#include "InputFiles.h"
 #include "MeshSums.h"
 #include "Numbers.h"
+#include "OutputFiles.h"
 #include "Report.h"
 #include "Threads.h"
 

@@ -3,7 +3,9 @@
 #include "Commands.h"
 #include "Console.h"
 #include "Files.h"
+#include "InputFiles.h"
 #include "Numbers.h"
+#include "OutputFiles.h"
 #include "Report.h"
 #include "Words.h"
 

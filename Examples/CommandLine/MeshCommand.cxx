@@ -4,10 +4,12 @@
 #include "ConfigFile.h"
 #include "Console.h"
 #include "Files.h"
+#include "InputFiles.h"
 #include "LeftOut.h"
 #include "MeshOnRanks.h"
 #include "MeshOptions.h"
 #include "MeshSums.h"
+#include "OutputFiles.h"
 #include "Platform.h"
 #include "Report.h"
 #include "Summary.h"
@@ -203,7 +205,7 @@ void printMerged(const Json& openfoam, const std::string& folder)
   }
 }
 
-/// True if the written case fails a check for another reason than that layers are as thin as was asked for.
+/// True if the written case fails a check for another reason than that layers are as thin as requested.
 bool checksFail(const Json& report)
 {
   if (report["openfoam"].is_null())

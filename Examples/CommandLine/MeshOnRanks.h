@@ -2,7 +2,7 @@
 /// Makes and measures meshes on all ranks together.
 #pragma once
 
-#include "Files.h"
+#include "OutputFiles.h"
 #include "Report.h"
 
 #include <vtkType.h>

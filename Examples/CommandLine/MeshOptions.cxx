@@ -4,6 +4,7 @@
 #include "Commands.h"
 #include "ConfigFile.h"
 #include "Files.h"
+#include "InputFiles.h"
 #include "Numbers.h"
 #include "Support/NamePattern.h"
 

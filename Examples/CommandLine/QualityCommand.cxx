@@ -3,8 +3,10 @@
 #include "Commands.h"
 #include "Console.h"
 #include "Files.h"
+#include "InputFiles.h"
 #include "MeshSums.h"
 #include "Numbers.h"
+#include "OutputFiles.h"
 #include "QualityPlot.h"
 #include "Report.h"
 

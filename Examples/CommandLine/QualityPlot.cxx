@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "QualityPlot.h"
 
-#include "Files.h"
+#include "OutputFiles.h"
 #include "Picture.h"
 
 #include <vtkDoubleArray.h>
