@@ -226,7 +226,7 @@ class FirstUse(unittest.TestCase):
     def test_surfaces_are_left_out_by_name(self):
         run = self.atria("inspect", HOUSE, "--json", "--without", "Partition?", "--without", "Neighbor")
         self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertIn("3 surfaces are left out as asked for: PartitionA, PartitionB, Neighbor", run.stderr)
+        self.assertIn("3 surfaces are left out as requested: PartitionA, PartitionB, Neighbor", run.stderr)
         names = {surface["name"] for surface in json.loads(run.stdout)["surfaces"]}
         whole = {surface["name"] for surface in json.loads(self.atria("inspect", HOUSE, "--json").stdout)["surfaces"]}
         self.assertEqual(whole - names, {"PartitionA", "PartitionB", "Neighbor"})
