@@ -86,7 +86,7 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
       ->allow_extra_args(false)
       ->type_name("N|PATTERN=N[:FIRST[:GROWTH]]");
   command.add_flag("--no-support", options.withoutSupport,
-                   "No layer on surfaces for which none is asked, also where elements cannot be valid without");
+                   "No layer on surfaces for which none is requested, also where elements cannot be valid without");
   CLI::Option* height =
       command.add_option("--first-layer", options.firstHeight, "Height of the layer on the wall, meters; 0 for any")
           ->capture_default_str()

@@ -15,8 +15,8 @@ namespace {
 /// Returns the requested subcommand, or the program itself.
 const CLI::App& commandOf(const CLI::App& app)
 {
-  const std::vector<CLI::App*> asked = app.get_subcommands();
-  return asked.empty() ? app : *asked.front();
+  const std::vector<CLI::App*> requested = app.get_subcommands();
+  return requested.empty() ? app : *requested.front();
 }
 
 std::vector<std::string> optionsOf(const CLI::App& command)

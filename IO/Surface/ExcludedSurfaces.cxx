@@ -110,7 +110,7 @@ void excludeSurfaces(Scene& scene, Surfaces& surfaces, const std::vector<std::st
   keepTriangles(scene, surfaces, newIds);
   dropUnusedPoints(scene);
   diagnostics.note(std::to_string(gone.size()) + (gone.size() == 1 ? " surface is" : " surfaces are") +
-                   " left out as asked for: " + joined(gone));
+                   " left out as requested: " + joined(gone));
 }
 
 } // namespace atria::scene

@@ -162,7 +162,7 @@ void fitLattice(GridFrame& frame, const Box3& extent)
   {
     throw Error(
         text("the surfaces and the domain reach over ", reach, ", too far for octants of ", frame.finestSize,
-             ": remove stray geometry, raise SizeMin or the finer size asked for, or move the model to the origin"));
+             ": remove stray geometry, raise SizeMin or the finer requested size, or move the model to the origin"));
   }
   frame.subBits = std::min(frame.subBits, 30);
   frame.domainLow = frame.toLattice(frame.domain.min);
@@ -186,7 +186,7 @@ GridFrame makeGridFrame(const GridOptions& options, const Box3& extent)
   if (frame.depth > GridFrame::maximumDepth)
   {
     throw Error(text("the domain is ", octants.maxCoeff(), " times as long as the finest octants of ", frame.finestSize,
-                     " (SizeMin, or a finer size asked for); at most ", std::int64_t{1} << GridFrame::maximumDepth,
+                     " (SizeMin, or a finer requested size); at most ", std::int64_t{1} << GridFrame::maximumDepth,
                      " is possible: raise the size or shrink the domain"));
   }
   const double rootOctants = static_cast<double>(std::int64_t{1} << frame.depth);

@@ -76,7 +76,7 @@ std::vector<WallLayers> resolveLayerRules(const std::vector<LayerRule>& rules,
                            [&](const WallLayers& is, char matches) { return matches ? rule.layers : is; });
     if (rule.pattern != "*" && std::ranges::find(matching, 1) == matching.end())
     {
-      throw Error("no surface matches '" + rule.pattern + "', for which layers are asked; " +
+      throw Error("no surface matches '" + rule.pattern + "', for which layers are requested; " +
                   namesInstead(rule.pattern, surfaceNames) +
                   ", and the domain's sides: xMin to zMax, domainSide1 and so on");
     }

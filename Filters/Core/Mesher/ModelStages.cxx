@@ -41,7 +41,7 @@ void setKind(SurfaceKind kind, const std::vector<std::string>& patterns, const s
     {
       if (matching[i] && kinds[i] != SurfaceKind::wall && kinds[i] != kind)
       {
-        throw Error("surface '" + names[i] + "' is asked to be both a face zone and a cell zone");
+        throw Error("surface '" + names[i] + "' is requested as both a face zone and a cell zone");
       }
       kinds[i] = matching[i] ? kind : kinds[i];
     }

@@ -57,7 +57,7 @@ std::vector<int> cornerLevels(const SurfaceModel& model, const std::vector<int>&
 
 std::vector<char> sizedSurfaces(const std::string& pattern, const std::vector<std::string>& names)
 {
-  return matchingSurfaces(pattern, names, "for which a size is asked");
+  return matchingSurfaces(pattern, names, "for which a size is requested");
 }
 
 SurfaceSize surfaceSizeFrom(const std::string& text)
@@ -102,25 +102,25 @@ std::string textOf(const DistanceSize& rule) { return textOf(PatternRule{rule.pa
 double finestSizeOf(const SizingOptions& options)
 {
   double finest = std::numeric_limits<double>::infinity();
-  const auto ask = [&](double size, const std::string& rule) {
+  const auto take = [&](double size, const std::string& rule) {
     if (!(size > 0.0) || !std::isfinite(size))
     {
-      throw Error("the size " + std::to_string(size) + " asked for at " + rule + " is not positive");
+      throw Error("the size " + std::to_string(size) + " requested at " + rule + " is not positive");
     }
     finest = std::min(finest, size);
   };
   for (const SurfaceSize& rule : options.surfaceSizes)
   {
-    ask(rule.size, "surfaces '" + rule.pattern + "'");
-    ask(rule.featureSize.value_or(rule.size), "features of surfaces '" + rule.pattern + "'");
+    take(rule.size, "surfaces '" + rule.pattern + "'");
+    take(rule.featureSize.value_or(rule.size), "features of surfaces '" + rule.pattern + "'");
   }
   for (const RefinementBox& box : options.boxes)
   {
-    ask(box.size, "a refinement box");
+    take(box.size, "a refinement box");
   }
   for (const DistanceSize& rule : options.distanceSizes)
   {
-    ask(rule.size, "a distance from surfaces '" + rule.pattern + "'");
+    take(rule.size, "a distance from surfaces '" + rule.pattern + "'");
   }
   return finest;
 }
