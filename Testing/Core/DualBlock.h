@@ -12,11 +12,18 @@ namespace atria::testing {
 /// Names a face of the block's outside, or an inner face: the element below it and an upper direction.
 using IsSheet = std::function<bool(Index element, int direction)>;
 
-/// Cubes of 1 m in rows along x. Inner faces that are sheets have boundary faces of tag 6 on both sides.
+/// Tags of faces: of sheets, and of the block's outside from xMin on.
+struct BlockTags
+{
+  Index sheet = 6;
+  Index firstSide = 0;
+};
+
+/// Cubes of 1 m in rows along x. Inner faces that are sheets have boundary faces on both sides.
 class Block
 {
 public:
-  Block(std::array<Index, 3> count, const IsSheet& isSheet) : size(count)
+  Block(std::array<Index, 3> count, const IsSheet& isSheet, const BlockTags& tags = {}) : size(count)
   {
     for (Index i = 0; i < (size[0] + 1) * (size[1] + 1) * (size[2] + 1); ++i)
     {
@@ -34,10 +41,12 @@ public:
     {
       for (int direction = 0; direction < 6; ++direction)
       {
-        link(e, direction, isSheet);
+        link(e, direction, isSheet, tags);
       }
     }
   }
+
+  Index pointAt(Index i, Index j, Index k) const { return i + (size[0] + 1) * (j + (size[1] + 1) * k); }
 
   DualMesh mesh;
 
@@ -51,12 +60,12 @@ private:
     for (std::size_t c = 0; c < 8; ++c)
     {
       const Index bits = hexahedronCorner.at(c);
-      corners.at(c) = i + (bits & 1) + (size[0] + 1) * (j + (bits >> 1 & 1) + (size[1] + 1) * (k + (bits >> 2)));
+      corners.at(c) = pointAt(i + (bits & 1), j + (bits >> 1 & 1), k + (bits >> 2));
     }
     return corners;
   }
 
-  void link(Index e, int direction, const IsSheet& isSheet)
+  void link(Index e, int direction, const IsSheet& isSheet, const BlockTags& tags)
   {
     const auto axis = static_cast<std::size_t>(axisOf(direction));
     const std::array<Index, 3> steps{1, size[0], size[0] * size[1]};
@@ -71,8 +80,8 @@ private:
       return;
     }
     code = ~static_cast<std::int32_t>(mesh.boundaryFaces.size());
-    const auto side = isUpper(direction) ? SheetSide::back : SheetSide::front;
-    const Index tag = isOutside ? static_cast<Index>(direction) : 6;
+    const auto side = isUpper(direction) && !isOutside ? SheetSide::back : SheetSide::front;
+    const Index tag = isOutside ? tags.firstSide + static_cast<Index>(direction) : tags.sheet;
     mesh.boundaryFaces.push_back(
         {e, tag, isOutside ? noIndex : next, static_cast<std::uint8_t>(direction), side, isOutside, noIndex});
   }

@@ -1,23 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Frames of octants of 1 m, and steps on the lattice, for tests of grids.
+/// Frames of octants and steps on the lattice, for tests of grids.
 #pragma once
 
-#include "Grid/GridFrame.h"
-
-#include <cmath>
+#include "SizingFrame.h"
 
 namespace atria::testing {
-
-/// A root of 2^depth octants of 1 m, whose domain starts and ends half an octant inside of it.
-inline GridFrame frameOf(int depth)
-{
-  GridFrame frame;
-  frame.depth = depth;
-  frame.origin = Vec3::Constant(-0.5);
-  frame.domain = {Vec3::Zero(), Vec3::Constant(std::ldexp(1.0, depth) - 1.0)};
-  fitLattice(frame, {});
-  return frame;
-}
 
 inline LatticePoint moved(LatticePoint place, int direction, std::int64_t by)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Frames of octants of 1 m at all surfaces, for tests of sizes.
+/// Frames of octants of 1 m at all surfaces.
 #pragma once
 
 #include "Grid/GridFrame.h"

@@ -181,7 +181,7 @@ TEST(LayerDirections, TaperToTheBoundaryEdgeOfASheetInItsPlane)
 {
   // A sheet over the half of the cubes with y < 2, which ends on three sides of the domain.
   Grown of({4, 4, 2}, {{"Wall", {1}}});
-  of.block = Block({4, 4, 2}, {0, 1, 2, 3, 4, 5, 6, 7});
+  of.block = blockInDomain({4, 4, 2}, {0, 1, 2, 3, 4, 5, 6, 7});
   const std::vector<Index> sources = splitSheets(of.block.mesh, quietContext());
   ASSERT_EQ(sources.size(), 10U) << "all points but those of the boundary edge";
   of.findWalls();

@@ -120,7 +120,7 @@ TEST(LayerReport, TellsOfLayersThatNobodyAskedForIfThereAreAny)
 {
   Grown of({3, 3, 2}, {{"zMin", {1, 0.1}}, {"zMax", {1, 0.1}}});
   of.options.supporting.assign(of.options.ofTag.size(), SupportingLayer::none);
-  of.options.supporting[Block::tagOf(zMin)] = SupportingLayer::whereNeeded;
+  of.options.supporting[sideTag(zMin)] = SupportingLayer::whereNeeded;
   EXPECT_TRUE(of.options.isAsked());
   const LayerReport report = reportOf(of, of.grow());
   ASSERT_EQ(report.surfaces.size(), 2U);
@@ -133,7 +133,7 @@ TEST(LayerReport, TellsOfLayersThatNobodyAskedForIfThereAreAny)
   const LayerReport without = reportOf(of, of.grow(excluded));
   ASSERT_EQ(without.surfaces.size(), 1U);
   EXPECT_EQ(without.surfaces[0].surface, "zMax");
-  of.options.supporting[Block::tagOf(zMax)] = SupportingLayer::everywhere;
+  of.options.supporting[sideTag(zMax)] = SupportingLayer::everywhere;
   EXPECT_FALSE(of.options.isAsked());
 }
 
