@@ -42,7 +42,7 @@ rooms=(Support Grid
   Surface/Triangles Surface/Search Surface/Triangulation Surface/Repair Surface/Model Surface/Openings Surface/Inspection
   Domain
   Octree/Tree Octree/Sizing
-  Dual/Mesh Dual/Grid Dual/Leaf Dual/Zones Dual/Displacement Dual/Vertices
+  Dual/Mesh Dual/Grid Dual/Leaf Dual/Zones Dual/Displacement Dual/Vertices Dual/Hexahedra
   Layer Audit
   Quality/Faces Quality/Checks Quality/Unions
   Optimize/Kernel Optimize/Constraints Optimize/AnyMesh

@@ -86,6 +86,8 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options)
       ->capture_default_str()
       ->check(numberIn(filter->GetCellsPerLevelMinValue(), filter->GetCellsPerLevelMaxValue()))
       ->type_name("N");
+  command.add_flag("--hex", options.hexahedra,
+                   "Make hexahedra only; surfaces that are connected have elements of one size, the finest there");
   command
       .add_option(
           "--max-elements", options.maxElements,
@@ -129,6 +131,8 @@ void configureSizes(vtkAtriaGridAlgorithm* filter, const SizeOptions& options)
   filter->SetCurvatureAngle(options.curvatureAngle);
   filter->SetCellsAcrossGap(options.gapCells);
   filter->SetCellsPerLevel(options.cellsPerLevel);
+  filter->SetElementType(options.hexahedra ? vtkAtriaGridAlgorithm::Hexahedral
+                                           : vtkAtriaGridAlgorithm::HexahedralDominant);
   filter->SetMaxElements(options.maxElements);
   filter->SetMemoryLimit(options.memoryLimit);
   filter->SetStartLevel(options.startLevel);

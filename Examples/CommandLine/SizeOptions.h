@@ -25,6 +25,7 @@ struct SizeOptions
   double curvatureAngle = 0.0;
   int gapCells = 0;
   int cellsPerLevel = 1;
+  bool hexahedra = false;
   int maxElements = 0;
   double memoryLimit = 0.0;
   int startLevel = 0;

@@ -65,6 +65,7 @@ SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter)
   options.curvatureAngle = filter.GetCurvatureAngle();
   options.cellsAcrossGap = filter.GetCellsAcrossGap();
   options.cellsPerLevel = filter.GetCellsPerLevel();
+  options.hexahedra = filter.GetElementType() == vtkAtriaGridAlgorithm::Hexahedral;
   options.maxElements = static_cast<std::size_t>(filter.GetMaxElements());
   options.memoryLimit = memoryLimitOf(filter);
   return options;

@@ -103,6 +103,7 @@ void vtkAtriaGridAlgorithm::CheckProperties()
   atriaCheckRange(CurvatureAngle);
   atriaCheckRange(CellsAcrossGap);
   atriaCheckRange(CellsPerLevel);
+  atriaCheckRange(ElementType);
   atriaCheckRange(MaxElements);
   atriaCheckRange(MemoryLimit);
   atriaCheckRange(GapTolerance);
@@ -340,6 +341,7 @@ void vtkAtriaGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CurvatureAngle: " << this->CurvatureAngle << "\n";
   os << indent << "CellsAcrossGap: " << this->CellsAcrossGap << "\n";
   os << indent << "CellsPerLevel: " << this->CellsPerLevel << "\n";
+  os << indent << "ElementType: " << this->ElementType << "\n";
   os << indent << "MaxElements: " << this->MaxElements << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "GapTolerance: " << this->GapTolerance << "\n";

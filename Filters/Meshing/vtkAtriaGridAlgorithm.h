@@ -162,6 +162,26 @@ public:
   vtkGetMacro(CellsPerLevel, int);
   ///@}
 
+  /**
+   * Shapes of elements.
+   */
+  enum ElementTypes
+  {
+    HexahedralDominant = 0, ///< polyhedra of up to eight corners where sizes change
+    Hexahedral = 1          ///< hexahedra only
+  };
+
+  ///@{
+  /**
+   * Shapes of the elements. For hexahedra only, octants are refined in families of eight, and have one size at and near
+   * each connected piece of surface: the finest there. Default HexahedralDominant.
+   */
+  vtkAtriaSetInRangeMacro(ElementType, int, HexahedralDominant, Hexahedral);
+  vtkGetMacro(ElementType, int);
+  void SetElementTypeToHexahedralDominant() { this->SetElementType(HexahedralDominant); }
+  void SetElementTypeToHexahedral() { this->SetElementType(Hexahedral); }
+  ///@}
+
   ///@{
   /**
    * Limit of the number of elements (all zones counted, layers not). Above it, coarser sizes are used: first a larger
@@ -426,6 +446,7 @@ protected:
   double CurvatureAngle = 0.0;
   int CellsAcrossGap = 0;
   int CellsPerLevel = 1;
+  int ElementType = HexahedralDominant;
   std::vector<std::string> FaceZones;
   std::vector<std::string> CellZones;
   bool FindOpenings = false;

@@ -3,6 +3,7 @@
 #include "Octree/Sizing/ElementBudget.h"
 #include "Octree/Sizing/Estimate.h"
 #include "Octree/Sizing/OctantSets.h"
+#include "Octree/Tree/Balance.h"
 #include "SizingFrame.h"
 #include "Support/Error.h"
 #include "Support/QuietContext.h"
@@ -50,7 +51,8 @@ Left addAll(const GridFrame& frame, const std::vector<Added>& lists, std::size_t
     sets.add(added.level, added.keys, std::vector<OctantNeed>(added.keys.size(), added.need), quietContext());
   }
   Left left;
-  left.refined = sets.balanced(quietContext());
+  left.refined = sets.balanced(
+      [&](RefinedSets& all, int cellsPerLevel) { balance(all, frame, quietContext(), cellsPerLevel); }, quietContext());
   while (left.refined.back().empty())
   {
     left.refined.pop_back();

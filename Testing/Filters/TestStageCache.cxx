@@ -91,6 +91,7 @@ std::vector<Change> changesOfGrid()
       {"SetCurvatureAngle", [](M& m) { m.SetCurvatureAngle(10.0); }},
       {"SetCellsAcrossGap", [](M& m) { m.SetCellsAcrossGap(8); }},
       {"SetCellsPerLevel", [](M& m) { m.SetCellsPerLevel(3); }},
+      {"SetElementType", [](M& m) { m.SetElementTypeToHexahedral(); }},
       {"SetMaxElements", [](M& m) { m.SetMaxElements(900); }},
       {"SetMemoryLimit", [](M& m) { m.SetMemoryLimit(4.0); }},
       {"SetStartLevel", [](M& m) { m.SetStartLevel(6); }},

@@ -5,6 +5,7 @@
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
 #include "Support/QuietContext.h"
+#include "Support/RandomOctrees.h"
 #include "Support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -21,45 +22,6 @@ using namespace atria;
 using namespace atria::testing;
 
 int campaign(int usual, int full) { return std::getenv("ATRIA_TEST_FULL") ? full : usual; }
-
-GridFrame frameOfDepth(int depth, const Vec3& size)
-{
-  GridOptions grid;
-  grid.domain = {Vec3::Zero(), size};
-  grid.sizeMin = 1.0;
-  grid.sizeMid = grid.sizeMax = 1.0;
-  grid.startLevel = 1;
-  GridFrame frame = makeGridFrame(grid, {});
-  EXPECT_EQ(frame.depth, depth);
-  return frame;
-}
-
-/// Refines octants of each level at random, then balances.
-RefinedSets randomSets(const GridFrame& frame, std::mt19937& random)
-{
-  RefinedSets sets{{0}};
-  for (int level = 1; level < frame.depth; ++level)
-  {
-    std::vector<MortonKey> next;
-    for (const MortonKey key : sets.back())
-    {
-      for (MortonKey k = 0; k < 8; ++k)
-      {
-        // Down to the coarsest octants the domain allows everything is refined.
-        if (level < 2 || random() % 4 == 0)
-        {
-          next.push_back(key << 3 | k);
-        }
-      }
-    }
-    if (next.empty())
-    {
-      break;
-    }
-    sets.push_back(std::move(next));
-  }
-  return sets;
-}
 
 /// Levels of leaves that touch, found by their boxes.
 void expectBalanced(const Octree& octree)

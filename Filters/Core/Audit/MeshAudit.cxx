@@ -70,6 +70,12 @@ public:
   }
 
 private:
+  /// True if a face is on the domain's top. Faces of bare sides may be in any direction from their elements.
+  bool isOnTop(const BoundaryFace& face) const
+  {
+    return face.onDomainSide && (face.tag < count ? face.direction : face.tag - count) == zMax;
+  }
+
   void measureFaces()
   {
     std::vector<ExactSum> sums(count * surfaceSums + wholeSums);
@@ -89,7 +95,7 @@ private:
       {
         const FaceFlux flux = fluxOf(mesh, face.element, face.direction, origin);
         whole[airVolume].add(flux.volume, volumes);
-        whole[topArea].add(face.onDomainSide && face.direction == zMax ? flux.area.norm() : 0.0, areas);
+        whole[topArea].add(isOnTop(face) ? flux.area.norm() : 0.0, areas);
         if (face.tag < count)
         {
           add(face, flux, wetArea);

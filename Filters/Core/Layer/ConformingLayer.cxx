@@ -274,6 +274,10 @@ std::vector<Index> LayerGrower::countsOf(const DualMesh& plain, const std::vecto
     counts[p] = walls_.counts[p] > 0 && (excluded.empty() || !excluded[p]) ? 1 : 0;
   }
   directions_.update(plain, counts, context);
+  if (options_.wraps)
+  {
+    return counts;
+  }
   for (Index p = 0; p < counts.size(); ++p)
   {
     counts[p] = counts[p] > 0 && directions_.at(p).cosine < feasibleCosine ? 0 : counts[p];

@@ -14,8 +14,8 @@ namespace atria {
 /// Points stay single
 /// - where `findLayerWalls` gives no layer,
 /// - where `excluded` is set (one entry per point of the plain mesh; may be empty),
-/// - where no direction is feasible,
-/// - where a prism would lie flat on its wall because no copy lifts off it.
+/// - where no direction is feasible, unless layers wrap (LayerOptions::wraps),
+/// - where a prism would lie flat on its wall because no copy lifts off it, likewise.
 ///
 /// The plain mesh is not changed, so a caller who finds no room somewhere can move or exclude points and grow the layer
 /// again. The result has the same bits for any number of threads.

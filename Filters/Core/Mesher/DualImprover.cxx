@@ -111,6 +111,24 @@ void support(bool onGround, bool isTurned, LayerOptions& options)
   }
 }
 
+/// Gives all walls and sides as many layers as the wall with most, one at least. So layers end nowhere, and prisms are
+/// hexahedra. Sides need a layer where sizes change: they cut octants so that elements would be flat.
+void layerAll(LayerOptions& options)
+{
+  int most = 1;
+  for (const WallLayers& wall : options.ofTag)
+  {
+    most = std::max(most, wall.layers);
+  }
+  options.wraps = true;
+  options.supporting.assign(options.ofTag.size(), SupportingLayer::none);
+  for (Index tag = 0; tag < options.ofTag.size(); ++tag)
+  {
+    options.supporting[tag] = options.ofTag[tag].layers == 0 ? SupportingLayer::everywhere : SupportingLayer::none;
+    options.ofTag[tag].layers = most;
+  }
+}
+
 /// Returns a unit for areas, so fine that sums of some hundred times the square of the domain's longest side are exact.
 double areaUnitOf(const Vec3& domain) { return std::exp2(std::ceil(2.0 * std::log2(domain.maxCoeff())) - 44.0); }
 
@@ -122,13 +140,21 @@ bool hasGround(const DualMesh& mesh, Index surfaceCount)
   });
 }
 
+/// True if the mesh was made of hexahedra only (makeHexahedral).
+bool isOfHexahedra(const ClassifiedMesh& given) { return !given.classification.planes.empty(); }
+
 /// Returns the layers of walls, by rule and where elements need one. `onGround` is true if a surface lies on the
 /// domain's bottom.
-LayerOptions layerOptionsOf(const WallOptions& wallOptions, bool onGround, const MeshingContext& context)
+LayerOptions layerOptionsOf(const WallOptions& wallOptions, bool onGround, bool hexahedra,
+                            const MeshingContext& context)
 {
   LayerOptions options;
   options.ofTag = resolveLayerRules(wallOptions.layers, context.model.names);
-  if (wallOptions.supportElements)
+  if (hexahedra)
+  {
+    layerAll(options);
+  }
+  else if (wallOptions.supportElements)
   {
     support(onGround, context.octree.frame().turnedDomain.has_value(), options);
   }
@@ -179,7 +205,7 @@ ImprovedLayer improve(ClassifiedMesh& given, const LayerWalls& walls, const Laye
     return improveLayer(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls);
   }
   MeshTraits traits = traitsOf(given.mesh, options, flat); // not by faces: other processes have others
-  traits.uniform = false;                                  // no crease sheets
+  traits.hexahedral = false;                                  // no crease sheets
   const ImprovedBlocks improved = [&] {
     const BlockPlan plan = port.plan(given, *blocks, context);
     return improveBlocks(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls, traits,
@@ -236,7 +262,7 @@ ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, Me
   }
   const auto surfaceCount = static_cast<Index>(context.model.names.size());
   const bool onGround = isAnywhere(hasGround(given.mesh, surfaceCount), port.exchange());
-  LayerOptions whole = layerOptionsOf(wallOptions, onGround, context);
+  LayerOptions whole = layerOptionsOf(wallOptions, onGround, isOfHexahedra(given), context);
   const FittedLayers fit = fitLayers(whole, port, context);
   const LayerOptions options = port.withBorder(std::move(whole));
   const LayerWalls walls = prepareWalls(given, options, context);

@@ -8,6 +8,7 @@
 #include "Mesher/MeshPort.h"
 #include "Mesher/RoomMeasures.h"
 #include "Mesher/StageOptions.h"
+#include "Mesher/Transitions.h"
 
 #include <algorithm>
 
@@ -105,7 +106,7 @@ ReachedStage findReached(OctreeGrid& own, const ZoneOptions& options, const Draw
 
 /// Finds zones, and makes elements and vertices from them.
 ClassifiedMesh fillMesh(DualMeshResult& result, SeenModel& seen, CrossedGrid& grid, bool keepGrid,
-                        const ZoneOptions& options, const DrawnModel* drawn, const ReachedStage& reached,
+                        const ElementOptions& options, const DrawnModel* drawn, const ReachedStage& reached,
                         MeshPort& port, StageClock& clock, const MeshingContext& context)
 {
   const auto& [places, crossings] = grid.displaced;
@@ -131,7 +132,8 @@ ClassifiedMesh fillMesh(DualMeshResult& result, SeenModel& seen, CrossedGrid& gr
     release(grid.points.atCorner); // only crossings and zones depend on these
   }
   ClassifiedMesh made =
-      makeElements(grid, keepGrid, zones, elements, std::move(labels), result.diagnostics, clock, context);
+      makeElements(grid, keepGrid, options.hexahedra, zones, elements, std::move(labels), result.diagnostics,
+                                     clock, context);
   if (reached.model)
   {
     listAs(reached.zones, ofWhole, made.mesh.zones, result.keptZones, result.zones);
@@ -232,6 +234,10 @@ void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, co
   if (!keep)
   {
     stages.grid = {};
+  }
+  if (options.hexahedra)
+  {
+    improveTransitions(mesh, context);
   }
   plain->mesh = splitPoints(unfoldWalls(std::move(mesh), context), context);
   stages.plain.result = std::move(plain);

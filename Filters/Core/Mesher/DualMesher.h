@@ -42,7 +42,7 @@ struct DualStages
   std::optional<TriangleTreeOnDemand> tree;
   KeptStage<ZoneOptions, ReachedStage> reached;
   KeptStage<CrossingOptions, CrossedGrid> grid;
-  KeptStage<ZoneOptions, PlainDual> plain;
+  KeptStage<ElementOptions, PlainDual> plain;
 };
 
 /// Makes the dual of an octree whose leaves know their pieces of the model. The octree and its model are along the

@@ -8,9 +8,10 @@
 #include "Mesher/MeshReport.h"
 #include "Mesher/MeshStages.h"
 #include "Mesher/StageOptions.h"
-#include "Octree/Tree/Balance.h"
+#include "Octree/Sizing/Sizing.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace atria {
 
@@ -53,7 +54,7 @@ void takeOctree(const TriangleSurface& model, const OctreeSets& octants, const M
   clock.lap("surface");
   context.progress.report(0.25, "Balancing");
   RefinedSets refined = octants.refined;
-  balance(refined, placed.frame, context.part(0.25, 0.5));
+  balanceFor(options.sizing.hexahedra, refined, out.model, placed.frame, 1, context.part(0.25, 0.5));
   out.octree = Octree(placed.frame, refined);
   locateModel(out.octree, out.model, context.part(0.5, 1.0));
   out.maximumLevel = out.octree.maximumLevel();
@@ -127,6 +128,23 @@ MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, cons
                     context.part(octreeShare, 1.0));
 }
 
+/// Adds a warning if elements are no hexahedra, with the place of the first.
+void addOthersThanHexahedra(MeshedModel& out)
+{
+  const auto& corners = out.mesh.corners;
+  const auto first = std::ranges::find_if_not(corners, hasAllCorners);
+  if (first == corners.end())
+  {
+    return;
+  }
+  const Vec3& at = out.mesh.points[(*first)[0]];
+  std::ostringstream text;
+  text << std::ranges::count_if(corners, [](const auto& of) { return !hasAllCorners(of); }) << " of " << corners.size()
+       << " elements are no hexahedra, where layers end; the first is at (" << at[0] << ", " << at[1] << ", " << at[2]
+       << "): ask for fewer layers there, or for smaller elements";
+  out.inputWarnings.push_back(text.str());
+}
+
 int finestLevel(const RefinedSets& refined)
 {
   int level = 0;
@@ -180,12 +198,17 @@ MeshedModel meshOctree(const PreparedModel& prepared, const Octree& octree, cons
                    port.exchange());
   MeshedModel out;
   DualMeshOptions dual = options.mesh;
+  dual.hexahedra = options.sizing.hexahedra;
   dual.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;
   const GridFrame& frame = octree.frame();
   const GroundedInput& grounded = prepared.grounded;
   const DrawnModel drawn = drawnModel(grounded.surface, grounded.options.site, model.kinds, frame, context);
   static_cast<DualMeshResult&>(out) = makeDualMesh(octree, model, dual, clock, context, kept, &drawn, port);
   out.inputWarnings = prepared.inputWarnings;
+  if (dual.hexahedra)
+  {
+    addOthersThanHexahedra(out);
+  }
   out.sizingWarning = prepared.sizingWarning;
   out.maximumLevel = prepared.maximumLevel;
   reportMesh({grounded, drawn, model, frame}, anyOfAll(port.exchange(), metCellZones(out.mesh.cellZones, model)), out);

@@ -33,8 +33,15 @@ struct WallOptions
   std::size_t blockSize = 0;
 };
 
+/// Options for elements before walls are improved.
+struct ElementOptions : ZoneOptions
+{
+  /// True if all elements are hexahedra. The octree must be balanced in families, and its sizes uniform at walls.
+  bool hexahedra = false;
+};
+
 /// Options for the mesh of an octree.
-struct DualMeshOptions : CrossingOptions, ZoneOptions, WallOptions
+struct DualMeshOptions : CrossingOptions, ElementOptions, WallOptions
 {
 };
 

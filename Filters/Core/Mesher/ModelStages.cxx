@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/ModelStages.h"
 
+#include "Domain/Domain.h"
 #include "Domain/DomainCheck.h"
 #include "Mesher/ModelOpenings.h"
 #include "Mesher/ModelRepair.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <functional>
 #include <numbers>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -27,6 +29,21 @@ GridOptions sizesOf(const ModelOptions& options)
   GridOptions sizes = options.sizes;
   sizes.finestAsked = finestSizeOf(options.sizing);
   return sizes;
+}
+
+/// Lowers the root cube, where there is room, so that the octants of SizeMin on the domain's bottom are the third in
+/// blocks of four. Families of octants are refined in such blocks, and so they end one octant above those at the ground.
+void lowerRoot(PlacedModel& placed)
+{
+  GridFrame& frame = placed.frame;
+  const double size = frame.sizeOf(frame.featureLevel);
+  const auto place = static_cast<std::int64_t>(std::floor((frame.domain.min[2] - frame.origin[2]) / size));
+  const double lower = static_cast<double>((6 - place % 4) % 4) * size;
+  if (frame.origin[2] - lower + frame.rootSize() >= frame.domain.max[2] + 0.5 * frame.finestSize)
+  {
+    frame.origin[2] -= lower;
+    fitLattice(frame, boundsOf(placed.surface));
+  }
 }
 
 void setKind(SurfaceKind kind, const std::vector<std::string>& patterns, const std::vector<std::string>& names,
@@ -126,7 +143,12 @@ std::vector<std::string> checkDomain(const TriangleSurface& surface, const SiteP
 
 PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, const ModelOptions& options)
 {
-  return placeModel(surface, plan, sizesOf(options));
+  PlacedModel placed = placeModel(surface, plan, sizesOf(options));
+  if (options.sizing.hexahedra)
+  {
+    lowerRoot(placed);
+  }
+  return placed;
 }
 
 PlacedModel placeModel(const TriangleSurface& surface, const ModelOptions& options)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/PlainDual.h"
 
+#include "Dual/Hexahedra/Hexahedra.h"
 #include "Dual/Vertices/DualVertices.h"
 #include "Dual/Vertices/TurnedDomain.h"
 #include "Dual/Zones/CrackClosing.h"
@@ -233,7 +234,7 @@ std::vector<Index> numberElements(const Zones& zones, const std::vector<char>& k
   return numbers;
 }
 
-ClassifiedMesh makeElements(CrossedGrid& grid, bool keepGrid, const Zones& zones, const std::vector<Index>& elements,
+ClassifiedMesh makeElements(CrossedGrid& grid, bool keepGrid, bool hexahedra, const Zones& zones, const std::vector<Index>& elements,
                             Labels labels, std::vector<Diagnostic>& diagnostics, StageClock& clock,
                             const MeshingContext& context)
 {
@@ -265,6 +266,11 @@ ClassifiedMesh makeElements(CrossedGrid& grid, bool keepGrid, const Zones& zones
   dispose(crossings.neighbors);
   takeLabels(mesh, std::move(labels), elements, context);
   context.progress.check();
+  if (hexahedra)
+  {
+    makeHexahedral(mesh, placed.classification, octree, model.names.size(), context);
+    placed.compromised.resize(mesh.points.size(), 0);
+  }
   const std::vector<Vec3> before = octree.frame().turnedDomain ? mesh.points : std::vector<Vec3>();
   sharpenTurnedEdges(mesh, octree.frame(), model.names.size());
   appendUnresolved(mesh, octree, leaves, std::move(placed.compromised), diagnostics);

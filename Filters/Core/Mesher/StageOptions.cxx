@@ -59,8 +59,8 @@ auto membersOf(const DistanceSize& of)
 
 auto membersOf(const SizingOptions& of)
 {
-  const auto& [surfaces, boxes, distances, curvature, acrossGap, perLevel, maxElements, memoryLimit] = of;
-  return std::tie(surfaces, boxes, distances, curvature, acrossGap, perLevel, maxElements, memoryLimit);
+  const auto& [surfaces, boxes, distances, curvature, acrossGap, perLevel, hexahedra, maxElements, memoryLimit] = of;
+  return std::tie(surfaces, boxes, distances, curvature, acrossGap, perLevel, hexahedra, maxElements, memoryLimit);
 }
 
 auto membersOf(const ModelOptions& of)
@@ -149,5 +149,9 @@ bool isSame(const OctreeSets& a, const OctreeSets& b) { return Same()(a, b); }
 bool isSame(const ModelOptions& a, const ModelOptions& b) { return Same()(a, b); }
 bool isSame(const CrossingOptions& a, const CrossingOptions& b) { return Same()(a, b); }
 bool isSame(const ZoneOptions& a, const ZoneOptions& b) { return Same()(a, b); }
+bool isSame(const ElementOptions& a, const ElementOptions& b)
+{
+  return a.hexahedra == b.hexahedra && isSame(static_cast<const ZoneOptions&>(a), b);
+}
 
 } // namespace atria

@@ -13,5 +13,6 @@ bool isSame(const OctreeSets& a, const OctreeSets& b);
 bool isSame(const ModelOptions& a, const ModelOptions& b);
 bool isSame(const CrossingOptions& a, const CrossingOptions& b);
 bool isSame(const ZoneOptions& a, const ZoneOptions& b);
+bool isSame(const ElementOptions& a, const ElementOptions& b);
 
 } // namespace atria

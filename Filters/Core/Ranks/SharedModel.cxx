@@ -44,7 +44,7 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const
                                            const ShareRows& rows)
 {
   constexpr int mostTries = 3;
-  if (options.mesh.blockSize == 0)
+  if (options.mesh.blockSize == 0 || options.sizing.hexahedra)
   {
     return std::nullopt;
   }

@@ -135,6 +135,22 @@ inline ReducedFace faceOf(const std::array<Index, 8>& corners, int direction)
   return face;
 }
 
+/// True if no two corners of an element coincide.
+inline bool hasAllCorners(const std::array<Index, 8>& corners)
+{
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      if (corners[i] == corners[j])
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 /// True if one of an element's corners is marked. Does not branch for each corner, as most are not.
 inline bool hasMarked(const std::array<Index, 8>& corners, const std::vector<char>& marked)
 {

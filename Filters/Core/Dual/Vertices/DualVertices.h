@@ -34,6 +34,8 @@ struct VertexClassification
   /// Charts of vertices on surfaces, and curves of vertices on curves.
   std::vector<Index> offsets;
   std::vector<Index> pieces;
+  /// Planes of the domain (by Direction, as bits) in which vertices stay; if empty, those through their octants.
+  std::vector<std::uint8_t> planes = {};
   /// Lateral sides of a turned domain (by Direction, as bits) on which vertices stay; empty without such a domain.
   std::vector<SideBits> turnedSides = {};
   /// Limits of detached vertices.

@@ -174,6 +174,10 @@ private:
       const auto pieces = classification.piecesOf(vertex);
       to.pieces.insert(to.pieces.end(), pieces.begin(), pieces.end());
       to.offsets.push_back(static_cast<Index>(to.pieces.size()));
+      if (!classification.planes.empty())
+      {
+        to.planes.push_back(classification.planes[vertex]);
+      }
       if (!classification.turnedSides.empty())
       {
         to.turnedSides.push_back(classification.turnedSides[vertex]);

@@ -166,8 +166,9 @@ QualityTargets targetsOfCreases(const MeshTraits& traits, const QualityRange& ja
 QualityTargets baseTargets(const MeshTraits& traits)
 {
   QualityTargets targets;
-  targets.convex = traits.layered;
-  if (traits.layered && traits.uniform)
+  // Layers that wrap have flat cells at boundary edges, whose other measures are good.
+  targets.convex = traits.layered && !traits.wraps;
+  if (traits.layered && traits.hexahedral)
   {
     targets.scaledJacobian = goodJacobian;
     targets.leastOfJacobian = leastPutBack;
@@ -185,7 +186,7 @@ ImproverStage firstStage(const MeshTraits& traits)
   // Short steps keep more vertices on the model where no layer gives way to them, and make better hexahedra in uniform
   // meshes.
   ImproverStage stage;
-  if (traits.layered && !traits.uniform)
+  if (traits.layered && !traits.hexahedral)
   {
     stage = {coarse(0.05), coarseBelow};
   }

@@ -32,7 +32,8 @@ struct MeshTraits
   bool supported;       ///< layers may be added where elements cannot be valid without
   bool hasHeights;      ///< a height of layers is requested somewhere
   bool divided;         ///< several layers are requested somewhere
-  bool uniform;         ///< all octants at elements have one size, so that these are hexahedra
+  bool hexahedral;      ///< all elements are hexahedra, as where all octants at elements have one size
+  bool wraps = false;   ///< layers go round boundary edges (LayerOptions::wraps)
   FlatLayers flat = {}; ///< the best measures of layers with the requested heights
 
   /// True for single layers whose height is left to the mesh.

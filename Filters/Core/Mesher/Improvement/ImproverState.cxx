@@ -17,7 +17,8 @@ MeshTraits traitsOf(const DualMesh& plain, const LayerOptions& options, FlatLaye
           .supported = std::ranges::find(options.supporting, SupportingLayer::whereNeeded) != options.supporting.end(),
           .hasHeights = options.hasHeights(),
           .divided = options.isDivided(),
-          .uniform = std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end(),
+          .hexahedral = std::ranges::all_of(plain.corners, hasAllCorners),
+          .wraps = options.wraps,
           .flat = flat};
 }
 

@@ -151,7 +151,7 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
   LayerImprover improver(state, curvedWalls);
   improver.improveWhole();
   improver.finish();
-  if (state.traits.isSingle() && state.traits.uniform)
+  if (state.traits.isSingle() && state.traits.hexahedral)
   {
     enter(state, MeshingContext(state.context), 0.9, 1.0, "Adding crease sheets");
     addCreaseSheets(state);

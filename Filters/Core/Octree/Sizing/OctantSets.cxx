@@ -3,7 +3,6 @@
 
 #include "Octree/Sizing/ElementBudget.h"
 #include "Octree/Sizing/Estimate.h"
-#include "Octree/Tree/Balance.h"
 #include "Support/Error.h"
 
 #include <algorithm>
@@ -148,7 +147,7 @@ void OctantSets::refuse() const
   throw Error(text.str());
 }
 
-RefinedSets OctantSets::balanced(const RunContext& context)
+RefinedSets OctantSets::balanced(const Balance& balanceSets, const RunContext& context)
 {
   for (;;)
   {
@@ -157,7 +156,7 @@ RefinedSets OctantSets::balanced(const RunContext& context)
     {
       sets.push_back(level.keys);
     }
-    balance(sets, frame_, context, steps_.kept().cellsPerLevel);
+    balanceSets(sets, steps_.kept().cellsPerLevel);
     elements_ = limit > 0 ? countElements(sets, frame_, context) : 0;
     if (elements_ <= limit)
     {

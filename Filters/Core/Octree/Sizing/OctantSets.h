@@ -4,6 +4,8 @@
 
 #include "Octree/Sizing/KeptSizes.h"
 
+#include <functional>
+
 namespace atria {
 
 class ElementBudget;
@@ -16,6 +18,9 @@ class ElementBudget;
 class OctantSets final : public OctantSink
 {
 public:
+  /// Balances sets, with the least number of octants of each level between other levels (see balance()).
+  using Balance = std::function<void(RefinedSets& sets, int cellsPerLevel)>;
+
   /// A `maxElements` of 0 in the options is no limit. `budget` is checked each time octants are added. Keeps references
   /// to options and budget.
   OctantSets(const GridFrame& frame, const KeptSizes& requested, const SizingOptions& options, ElementBudget& budget);
@@ -29,7 +34,7 @@ public:
 
   /// Balances the sets, leaves out octants until the balanced sets keep to the limit, and returns them. Throws Error if
   /// not even the start level keeps to it, or if the budget is exceeded.
-  RefinedSets balanced(const RunContext& context);
+  RefinedSets balanced(const Balance& balanceSets, const RunContext& context);
 
   /// Returns a text that names the sizes taken instead of those requested; empty if all requested sizes were kept.
   std::string warning() const;

@@ -4,6 +4,8 @@
 #include "Octree/Sizing/ElementBudget.h"
 #include "Octree/Sizing/OctantSets.h"
 #include "Octree/Sizing/SizeSources.h"
+#include "Octree/Sizing/UniformWalls.h"
+#include "Octree/Tree/Balance.h"
 #include "Support/Error.h"
 
 namespace atria {
@@ -24,6 +26,19 @@ void checkCounts(const SizingOptions& options)
 
 } // namespace
 
+void balanceFor(bool hexahedra, RefinedSets& refined, const SurfaceModel& model, const GridFrame& frame,
+                int cellsPerLevel, const RunContext& context)
+{
+  if (hexahedra)
+  {
+    makeUniformAtWalls(refined, model, frame, cellsPerLevel, context);
+  }
+  else
+  {
+    balance(refined, frame, context, cellsPerLevel);
+  }
+}
+
 SizedOctants sizeOctants(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options,
                          const RunContext& context)
 {
@@ -38,7 +53,11 @@ SizedOctants sizeOctants(const SurfaceModel& model, const GridFrame& frame, cons
   sizeForGaps(sets, gaps, context);
   context.progress.report(0.8, "Balancing");
   SizedOctants sized;
-  sized.refined = sets.balanced(context);
+  sized.refined = sets.balanced(
+      [&](RefinedSets& refined, int cellsPerLevel) {
+        balanceFor(options.hexahedra, refined, model, frame, cellsPerLevel, context);
+      },
+      context);
   sized.warning = sets.warning();
   return sized;
 }

@@ -20,6 +20,10 @@ struct SizedOctants
   std::string warning;
 };
 
+/// Balances sets for a mesh of hexahedra only (SizingOptions::hexahedra), or of all elements.
+void balanceFor(bool hexahedra, RefinedSets& refined, const SurfaceModel& model, const GridFrame& frame,
+                int cellsPerLevel, const RunContext& context);
+
 /// Sizes octants and balances them. Below the top level, an octant is refined for its pieces of the model, for boxes
 /// and distances, for curvature and gaps (see docs/algorithm.md). `frame` must have been made with
 /// finestSizeOf(options). Throws Error for sizes that are not positive, patterns that match no surface (naming all

@@ -55,6 +55,9 @@ struct SizingOptions
   int cellsAcrossGap = 0;
   /// Layers of octants of each size between the next finer and the next coarser ones; 1 is the 2:1 balance alone.
   int cellsPerLevel = 1;
+  /// True if octants are refined for a mesh of hexahedra only: in families of eight siblings, and with one size at and
+  /// near each connected piece of surface (UniformWalls.h).
+  bool hexahedra = false;
   /// Upper limit of the number of elements; 0 is no limit. Coarser sizes are taken to keep to it, first of all in the
   /// open and last at features (see SizeSteps in KeptSizes.h).
   std::size_t maxElements = 0;

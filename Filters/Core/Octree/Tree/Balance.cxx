@@ -166,13 +166,35 @@ std::vector<std::size_t> rangesOfFamilies(const std::vector<MortonKey>& keys, st
   return begins;
 }
 
+/// Adds the siblings of octants.
+void completeFamilies(std::vector<MortonKey>& keys)
+{
+  std::vector<MortonKey> all;
+  all.reserve(keys.size());
+  for (const MortonKey key : keys)
+  {
+    if (all.empty() || all.back() >> 3 != key >> 3)
+    {
+      for (MortonKey child = 0; child < 8; ++child)
+      {
+        all.push_back((key >> 3) << 3 | child);
+      }
+    }
+  }
+  keys = std::move(all);
+}
+
 } // namespace
 
-void balance(RefinedSets& refined, const GridFrame& frame, const RunContext& context, int cellsPerLevel)
+void balance(RefinedSets& refined, const GridFrame& frame, const RunContext& context, int cellsPerLevel, bool families)
 {
   constexpr std::size_t grain = 4096;
   for (int level = static_cast<int>(refined.size()) - 1; level > 0; --level)
   {
+    if (families)
+    {
+      completeFamilies(refined[level]);
+    }
     const std::vector<MortonKey>& keys = refined[level];
     std::vector<MortonKey>& above = refined[level - 1];
     const Requirements requirements(level, cellsPerLevel, frame, above);

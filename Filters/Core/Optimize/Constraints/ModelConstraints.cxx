@@ -110,6 +110,10 @@ ModelConstraints::Target& ModelConstraints::targetOf(Index point) const
 
 unsigned ModelConstraints::planesOf(Index point) const
 {
+  if (!classification_.planes.empty())
+  {
+    return classification_.planes[vertexOf_[point]];
+  }
   const Index leaf = classification_.leaves[vertexOf_[point]];
   return octree_.frame().domainPlanes(octree_.lowCorner(leaf), octree_.highCorner(leaf));
 }
