@@ -42,6 +42,7 @@ MesherOptions optionsIn(const GridOptions& grid, const DualMeshOptions& options)
   all.site.mode = DomainMode::bounds;
   all.site.bounds = grid.domain;
   all.sizes = grid;
+  all.sizing.hexahedra = options.hexahedra;
   all.mesh = options;
   return all;
 }

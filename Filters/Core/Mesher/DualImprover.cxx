@@ -205,7 +205,7 @@ ImprovedLayer improve(ClassifiedMesh& given, const LayerWalls& walls, const Laye
     return improveLayer(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls);
   }
   MeshTraits traits = traitsOf(given.mesh, options, flat); // not by faces: other processes have others
-  traits.hexahedral = false;                                  // no crease sheets
+  traits.hexahedral = false;                               // no crease sheets
   const ImprovedBlocks improved = [&] {
     const BlockPlan plan = port.plan(given, *blocks, context);
     return improveBlocks(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls, traits,

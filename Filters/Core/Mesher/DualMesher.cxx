@@ -131,9 +131,8 @@ ClassifiedMesh fillMesh(DualMeshResult& result, SeenModel& seen, CrossedGrid& gr
   {
     release(grid.points.atCorner); // only crossings and zones depend on these
   }
-  ClassifiedMesh made =
-      makeElements(grid, keepGrid, options.hexahedra, zones, elements, std::move(labels), result.diagnostics,
-                                     clock, context);
+  ClassifiedMesh made = makeElements(grid, keepGrid, options.hexahedra, zones, elements, std::move(labels),
+                                     result.diagnostics, clock, context);
   if (reached.model)
   {
     listAs(reached.zones, ofWhole, made.mesh.zones, result.keptZones, result.zones);

@@ -11,9 +11,9 @@
 #include "Surface/Search/Distance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numbers>
-#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -32,7 +32,8 @@ GridOptions sizesOf(const ModelOptions& options)
 }
 
 /// Lowers the root cube, where there is room, so that the octants of SizeMin on the domain's bottom are the third in
-/// blocks of four. Families of octants are refined in such blocks, and so they end one octant above those at the ground.
+/// blocks of four. Families of octants are refined in such blocks, and so they end one octant above those at the
+/// ground.
 void lowerRoot(PlacedModel& placed)
 {
   GridFrame& frame = placed.frame;

@@ -234,9 +234,9 @@ std::vector<Index> numberElements(const Zones& zones, const std::vector<char>& k
   return numbers;
 }
 
-ClassifiedMesh makeElements(CrossedGrid& grid, bool keepGrid, bool hexahedra, const Zones& zones, const std::vector<Index>& elements,
-                            Labels labels, std::vector<Diagnostic>& diagnostics, StageClock& clock,
-                            const MeshingContext& context)
+ClassifiedMesh makeElements(CrossedGrid& grid, bool keepGrid, bool hexahedra, const Zones& zones,
+                            const std::vector<Index>& elements, Labels labels, std::vector<Diagnostic>& diagnostics,
+                            StageClock& clock, const MeshingContext& context)
 {
   const Octree& octree = context.octree;
   const SurfaceModel& model = context.model;

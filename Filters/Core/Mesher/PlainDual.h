@@ -40,10 +40,10 @@ struct CrossedGrid
 /// Returns new numbers for the grid points that become elements; noIndex for the others.
 std::vector<Index> numberElements(const Zones& zones, const std::vector<char>& kept, const RunContext& context);
 
-/// Places the vertices and makes the elements of numbered grid points, with `hexahedra` no others. Unless `keepGrid`, frees the parts of the grid
-/// as soon as they are not needed: it is as large as the mesh.
-ClassifiedMesh makeElements(CrossedGrid& grid, bool keepGrid, bool hexahedra, const Zones& zones, const std::vector<Index>& elements,
-                            Labels labels, std::vector<Diagnostic>& diagnostics, StageClock& clock,
-                            const MeshingContext& context);
+/// Places the vertices and makes the elements of numbered grid points, with `hexahedra` no others. Unless `keepGrid`,
+/// frees the parts of the grid as soon as they are not needed: it is as large as the mesh.
+ClassifiedMesh makeElements(CrossedGrid& grid, bool keepGrid, bool hexahedra, const Zones& zones,
+                            const std::vector<Index>& elements, Labels labels, std::vector<Diagnostic>& diagnostics,
+                            StageClock& clock, const MeshingContext& context);
 
 } // namespace atria

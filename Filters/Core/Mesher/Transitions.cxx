@@ -20,7 +20,8 @@ std::vector<Index> transitionElements(const ClassifiedMesh& given, const Meshing
     std::array<Index, 8> of{};
     std::ranges::transform(given.mesh.corners[e], of.begin(), [&](Index v) { return leaves[v]; });
     const int level = context.octree.level(of[0]);
-    return !hasAllCorners(of) || std::ranges::any_of(of, [&](Index leaf) { return context.octree.level(leaf) != level; });
+    return !hasAllCorners(of) ||
+           std::ranges::any_of(of, [&](Index leaf) { return context.octree.level(leaf) != level; });
   });
 }
 

@@ -39,7 +39,7 @@ struct PointFace
   bool operator<(const PointFace& other) const { return cells < other.cells; }
 };
 
-/// Returns the directions of the cells of a face, which are the corners of hexahedronFace.
+/// Returns the direction of the cell whose vertex is a corner of an element.
 std::uint8_t cellOfCorner(std::uint8_t corner) { return hexahedronCorner[corner]; }
 
 class HexahedraMaker
@@ -130,10 +130,9 @@ private:
   /// Adds the points in and on split octants that the octree does not have. Each belongs to the first leaf around it.
   void addNewPoints()
   {
-    const std::vector<Index> leaves =
-        chosenNumbers(octree_.leafCount(), context_.executor, [&](std::size_t leaf) {
-          return split_.isSplit(static_cast<Index>(leaf)) && octree_.inDomain(static_cast<Index>(leaf));
-        });
+    const std::vector<Index> leaves = chosenNumbers(octree_.leafCount(), context_.executor, [&](std::size_t leaf) {
+      return split_.isSplit(static_cast<Index>(leaf)) && octree_.inDomain(static_cast<Index>(leaf));
+    });
     std::vector<std::vector<GridPoint>> found(leaves.size());
     context_.executor.forEach(leaves.size(), 256, [&](std::size_t i) {
       for (const LatticePoint& place : split_.pointsOf(leaves[i]))

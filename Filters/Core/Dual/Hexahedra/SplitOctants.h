@@ -26,8 +26,8 @@ public:
   SplitOctants(const Octree& octree, const RunContext& context);
 
   bool isSplit(Index leaf) const { return finer_[leaf] != 0; }
-  /// Returns the cell of a leaf that is at a point of the leaf, on the point's side `direction`: bits x 1, y 2, z 4. The
-  /// point must be a point of the grid or of pointsOf().
+  /// Returns the cell of a leaf that is at a point of the leaf, on the point's side `direction`: bits x 1, y 2, z 4.
+  /// The point must be a point of the grid or of pointsOf().
   SplitCell cellAt(Index leaf, const LatticePoint& point, unsigned direction) const;
   /// Returns the places in and on a split leaf where surfaces meet, except for points of the octree's grid.
   std::vector<LatticePoint> pointsOf(Index leaf) const;

@@ -9,7 +9,6 @@
 #include "Support/UnionFind.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace atria {
 
@@ -17,7 +16,7 @@ namespace {
 
 /// Numbers of octants off a surface within which there are no larger and no smaller ones. These are the least for
 /// which no octant beside finer ones touches an octant that holds a surface.
-const int ringsOfLarger = std::getenv("RINGSL") ? std::atoi(std::getenv("RINGSL")) : 1;
+constexpr int ringsOfLarger = 1;
 constexpr int ringsOfSmaller = 2;
 
 /// Looks at the octants near surfaces of an octree.
@@ -46,8 +45,7 @@ public:
     {
       const LatticeBox box = boxAround(walls_[i], ringsOfLarger);
       std::ranges::copy_if(near_[i], std::back_inserter(leaves), [&](Index leaf) {
-        return octree_.level(leaf) < levels[i] &&
-               overlap(box, {octree_.lowCorner(leaf), octree_.highCorner(leaf)});
+        return octree_.level(leaf) < levels[i] && overlap(box, {octree_.lowCorner(leaf), octree_.highCorner(leaf)});
       });
     }
     sortUnique(leaves);
