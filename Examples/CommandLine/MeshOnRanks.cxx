@@ -3,6 +3,7 @@
 
 #include "ConfigFile.h"
 #include "Console.h"
+#include "Files.h"
 #include "MeshOptions.h"
 #include "MeshSums.h"
 #include "Threads.h"

@@ -115,7 +115,8 @@ void addCreaseSheets(ImproverState& state)
     {
       best = std::move(state.layer);
       bestWorst = worst;
-      if (worst >= wantedJacobian)
+      // Cells at boundary edges that layers go round miss the targets with any width.
+      if (worst >= wantedJacobian || state.traits.wraps)
       {
         break;
       }
