@@ -62,6 +62,8 @@ struct Options
   std::vector<std::tuple<std::string, std::string, std::string>> scalars;
   std::vector<std::tuple<std::string, std::string, std::string>> canopies;
   std::string trees;
+  std::vector<std::pair<std::string, std::string>> screens;
+  std::vector<std::pair<std::string, std::string>> fans;
 };
 
 constexpr const char* examples = R"(Examples:
@@ -240,6 +242,19 @@ void declareRun(CLI::App& command, Options& options)
       ->check(CLI::ExistingFile)
       ->type_name("FILE.csv");
   command
+      .add_option(
+          "--screen", options.screens,
+          "Porous screens in the face zones whose name matches: loss coefficient, such as Window 2.5, or with a linear "
+          "part in Pa for each m/s, such as Window 2.5,0.4; may be repeated, the last holds")
+      ->allow_extra_args(false)
+      ->type_name("PATTERN RESISTANCE");
+  command
+      .add_option("--fan", options.fans,
+                  "Fans in the face zones whose name matches: pressure rise along the zone's normal, Pa, negative "
+                  "against it, or a table of flow rate, m3/s, and pressure; may be repeated, the last holds")
+      ->allow_extra_args(false)
+      ->type_name("PATTERN PRESSURE|FILE.csv");
+  command
       .add_option("--pedestrian-height", options.pedestrian,
                   "Height above the ground where speeds are measured, meters")
       ->capture_default_str()
@@ -322,6 +337,16 @@ void configure(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, const
   if (!options.trees.empty())
   {
     writer->SetTreeFile(options.trees.c_str());
+  }
+  for (const auto& [pattern, resistance] : options.screens)
+  {
+    writer->AddScreenRule(text(pattern, resistance).c_str());
+  }
+  for (const auto& [pattern, pressure] : options.fans)
+  {
+    std::ostringstream quoted;
+    quoted << std::quoted(pressure);
+    writer->AddFanRule(text(pattern, quoted.str()).c_str());
   }
   for (const auto& [pattern, role] : options.patchRules)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CaseCanopies.h"
 
+#include "NumberTable.h"
 #include "PatchNames.h"
 #include "Quality/Faces/Geometry.h"
 #include "Support/Error.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <limits>
 #include <map>
@@ -23,21 +23,6 @@ constexpr double crownBase = 1.0 / 3.0;
 constexpr const char* zoneName = "trees";
 
 bool isPositive(double value) { return value > 0.0 && std::isfinite(value); }
-
-/// Returns the numbers of a line of a table; nothing if it has others than numbers.
-std::vector<double> numbersIn(std::string line)
-{
-  std::ranges::replace_if(
-      line, [](char c) { return c == ',' || c == ';' || c == '\r'; }, ' ');
-  std::istringstream in(line);
-  in.imbue(std::locale::classic());
-  std::vector<double> numbers;
-  for (double number = 0.0; in >> number;)
-  {
-    numbers.push_back(number);
-  }
-  return in.eof() ? numbers : std::vector<double>();
-}
 
 bool isTree(const std::vector<double>& n)
 {
@@ -189,35 +174,13 @@ std::vector<CaseCanopy> canopiesOf(const CaseMesh& mesh, const std::vector<Canop
 
 std::vector<Tree> readTrees(const std::filesystem::path& file)
 {
-  std::ifstream in(file);
-  if (!in)
-  {
-    throw Error("cannot read the trees of '" + file.string() + "'");
-  }
+  const NumberTable table{
+      "trees", "a tree has x, y, height, crown radius, LAD and Cd, and all but its place are above 0", isTree};
   std::vector<Tree> trees;
-  std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number)
+  for (const NumberRow& row : readNumbers(file, table))
   {
-    if (number == 1 && line.starts_with("\xEF\xBB\xBF"))
-    {
-      line.erase(0, 3); // a byte order mark
-    }
-    const std::vector<double> n = numbersIn(line);
-    const bool isHeader = number == 1 && line.find_first_of("0123456789") != line.find_first_not_of(" \t\"+-.");
-    const bool isBlank = line.find_first_not_of(" \t\r") == std::string::npos;
-    if (isTree(n))
-    {
-      trees.push_back({n[0], n[1], n[2], n[3], n[4], n[5]});
-    }
-    else if (!isBlank && !isHeader)
-    {
-      throw Error("'" + file.string() + "', line " + std::to_string(number) +
-                  ": a tree has x, y, height, crown radius, LAD and Cd, and all but its place are above 0");
-    }
-  }
-  if (trees.empty())
-  {
-    throw Error("'" + file.string() + "' has no trees");
+    const std::vector<double>& n = row.numbers;
+    trees.push_back({n[0], n[1], n[2], n[3], n[4], n[5]});
   }
   return trees;
 }

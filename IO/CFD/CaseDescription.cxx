@@ -94,6 +94,20 @@ void describeCanopies(const CaseOfDirection& flow, Json& report)
   }
 }
 
+void describeBaffles(const CaseOfDirection& flow, Json& report)
+{
+  for (const CaseBaffle& baffle : flow.baffles)
+  {
+    if (!baffle.isFan())
+    {
+      report["screens"].push_back(
+          {{"zone", baffle.zone}, {"resistance", baffle.resistance}, {"linear", baffle.linear}});
+      continue;
+    }
+    report["fans"].push_back({{"zone", baffle.zone}, {"blows_back", baffle.blowsBack}, {"curve", baffle.curve}});
+  }
+}
+
 /// Returns a number with three digits.
 std::string shortNumber(double value)
 {
@@ -144,6 +158,7 @@ Json describeCase(const CaseOfDirection& flow)
   }
   describeScalars(flow, report);
   describeCanopies(flow, report);
+  describeBaffles(flow, report);
   report["directions"] = Json::array();
   return report;
 }

@@ -96,6 +96,24 @@ Lines patchesOf(const CaseField& field, const CaseOfDirection& flow, const std::
   return lines;
 }
 
+/// Returns the dictionaries of the sides of screens and fans.
+Lines sidesOf(const CaseField& field, const CaseOfDirection& flow, const Filling& filling)
+{
+  Lines lines;
+  for (const CaseBaffle& baffle : flow.baffles)
+  {
+    Filling its = filling;
+    addBaffle(its, baffle);
+    its.values["condition"] = textOf(caseConditions(), field.row, its);
+    for (const std::string& side : sidesOfZone(baffle.zone))
+    {
+      its.values["patch"] = {side};
+      append(lines, textOf(caseParts(), "namedPatch", its));
+    }
+  }
+  return lines;
+}
+
 void writeFields(const fs::path& folder, const CaseOfDirection& flow, const Filling& filling)
 {
   Filling walls = filling;
@@ -112,6 +130,7 @@ void writeFields(const fs::path& folder, const CaseOfDirection& flow, const Fill
     Filling its = filling;
     its.values["conditionOfWalls"] = textOf(caseConditions(), field.row, walls);
     its.values["patches"] = patchesOf(field, flow, patches);
+    append(its.values["patches"], sidesOf(field, flow, filling));
     writeFoamFile(folder, fileOf(field), field.className, textOf(caseFiles(), rowOfFile(field), its));
   }
 }
@@ -255,10 +274,26 @@ void addCanopies(Filling& filling, const CaseOfDirection& flow)
     Filling its = filling;
     its.values["zone"] = {canopy.zone};
     its.values["inertia"] = {foamNumber(2.0 * canopy.dragCoefficient * canopy.leafAreaDensity)};
+    its.values["firstAxis"] = {foamVector(Vec3::UnitX())};
+    its.values["secondAxis"] = {foamVector(Vec3::UnitY())};
     append(canopies, textOf(caseParts(), "canopy", its));
   }
-  filling.values["fvOptions"] = canopies;
+  append(filling.values["fvOptions"], canopies);
   append(filling.values["fvModels"], canopies);
+}
+
+/// Adds the models that steady the pressure at screens and fans.
+void addBaffles(Filling& filling, const CaseOfDirection& flow)
+{
+  Lines models;
+  for (const CaseBaffle& baffle : flow.baffles)
+  {
+    Filling its = filling;
+    addBaffle(its, baffle);
+    append(models, isSteadied(baffle) ? textOf(caseParts(), "baffle", its) : Lines());
+  }
+  append(filling.values["fvOptions"], models);
+  append(filling.values["fvModels"], models);
 }
 
 void addWalls(Filling& filling, const CaseOfDirection& flow)
@@ -315,6 +350,7 @@ void writeCaseFiles(const fs::path& folder, const CaseOfDirection& flow, Filling
   addFlows(filling, flow);
   addScalars(filling, flow);
   addCanopies(filling, flow);
+  addBaffles(filling, flow);
   addWalls(filling, flow);
   addProbes(filling, flow.probes);
   writeDictionaries(folder, filling);

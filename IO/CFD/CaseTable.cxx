@@ -14,7 +14,8 @@ namespace {
 //   kEpsilon, realizableKE, kOmegaSST; ageOfAir, parallel, walls, pedestrians, checkProfile; emptyDomain;
 //   patches: inletBySpeed, inletByFlow, windInlet, windBothWays (a windInlet too), opening (of a room), outlet, slip,
 //   ground (ownRoughness too if it has a roughness length of its own), wall, roughWall, constraint; surfaceSource of a
-//   passive scalar.
+//   passive scalar; screen and fan at the two sides of a face zone that has one; undivided if processors keep sides
+//   together.
 // The name of a template ends with a dialect where other dialects have another template.
 // clang-format off
 
@@ -63,6 +64,10 @@ constexpr CaseRow files[] = {
 
 constexpr CaseRow conditions[] = {
   // field                if                            template
+  {"p",                   "screen",                     "boundary/p/screen"},
+  {"p",                   "fan opencfd",                "boundary/p/fan.opencfd"},
+  {"p",                   "fan foundation",             "boundary/p/fan.foundation"},
+  {"*",                   "screen|fan",                 "boundary/cyclic"},
   {"*",                   "constraint",                 "boundary/constraint"},
   {"U|p|k|epsilon|omega", "slip",                       "boundary/slip"},
 
@@ -148,6 +153,7 @@ constexpr CaseRow parts[] = {
   {"scalarSource",     "opencfd",             "functions/scalarSource.opencfd"},
   {"scalarSource",     "foundation",          "functions/scalarSource.foundation"},
   {"canopy",           "",                    "models/canopy"},
+  {"baffle",           "",                    "models/baffle"},
   {"porosityModel",    "foundation-14",       "models/porosity.foundation-14"},
   {"porosityModel",    "",                    "models/porosity"},
   {"cellSelection",    "opencfd",             "models/selection.opencfd"},
@@ -156,6 +162,8 @@ constexpr CaseRow parts[] = {
   {"scalarFlow",       "",                    "functions/scalarFlow"},
   {"scalarSum",        "opencfd",             "functions/scalarSum.opencfd"},
   {"scalarSum",        "foundation",          "functions/scalarSum.foundation"},
+
+  {"constraints",      "undivided",           "system/constraints"},
 
   {"side",             "",                    "emptyDomain/side"},
   {"profiles",         "emptyDomain",         "emptyDomain/profiles"},

@@ -5,6 +5,7 @@
 #include "FoamText.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -137,12 +138,55 @@ const char* factOf(const CaseOfDirection& flow, const PatchChoice& choice)
   }
 }
 
+/// Returns a direction at a right angle to another one, length 1.
+Vec3 directionAcross(const Vec3& direction)
+{
+  int axis = 0;
+  direction.cwiseAbs().minCoeff(&axis);
+  return (Vec3::Unit(axis) - direction[axis] * direction).normalized();
+}
+
+/// Returns the steepest change of a baffle's pressure over the speed through it, Pa for each m/s, without the part of
+/// the resistance.
+double steepness(const CaseBaffle& baffle)
+{
+  double steepest = baffle.linear;
+  for (std::size_t i = 1; i < baffle.curve.size(); ++i)
+  {
+    const auto& [flow, pressure] = baffle.curve[i];
+    const auto& [flowBefore, pressureBefore] = baffle.curve[i - 1];
+    steepest = std::max(steepest, (pressureBefore - pressure) * baffle.area / (flow - flowBefore));
+  }
+  return steepest;
+}
+
+/// Returns the jump of p over the flow rate, divided by `area`.
+std::string fanFunction(const FanCurve& curve, double area)
+{
+  if (curve.size() == 1)
+  {
+    return "constant " + foamNumber(curve[0].second / airDensity);
+  }
+  std::vector<std::string> points;
+  for (const auto& [flow, pressure] : curve)
+  {
+    points.push_back(foamList(std::array{foamNumber(flow / area), foamNumber(pressure / airDensity)}));
+  }
+  return "table " + foamList(points);
+}
+
+/// True if the case has porosity: leaves, or what steadies the pressure at screens and fans.
+bool hasPorosity(const CaseOfDirection& flow)
+{
+  return !flow.canopies.empty() || std::ranges::any_of(flow.baffles, isSteadied);
+}
+
 /// True if the Foundation's file fvModels has entries.
 bool hasModels(const CaseOfDirection& flow)
 {
   const bool hasSources =
       std::ranges::any_of(flow.scalars, [](const CaseScalar& scalar) { return !scalar.zones.empty(); });
-  return isFoundation(flow.settings.dialect) && (hasSources || !flow.canopies.empty());
+  return isFoundation(flow.settings.dialect) && (hasSources || hasPorosity(flow));
 }
 
 void addFacts(Filling& filling, const CaseOfDirection& flow)
@@ -150,13 +194,12 @@ void addFacts(Filling& filling, const CaseOfDirection& flow)
   const FlowCaseSettings& settings = flow.settings;
   filling.facts = {factOf(settings.dialect), isFoundation(settings.dialect) ? "foundation" : "opencfd",
                    flow.isRoom() ? "room" : "wind", modelName(settings.turbulence)};
-  const std::pair<const char*, bool> others[] = {
-      {"ageOfAir", settings.ageOfAir},
-      {"fvModels", hasModels(flow)},
-      {"fvOptions", !isFoundation(settings.dialect) && !flow.canopies.empty()},
-      {"pedestrians", !flow.probes.empty()},
-      {"walls", !flow.walls().empty()},
-      {"checkProfile", settings.checkProfile && !flow.isRoom()}};
+  const std::pair<const char*, bool> others[] = {{"ageOfAir", settings.ageOfAir},
+                                                 {"fvModels", hasModels(flow)},
+                                                 {"fvOptions", !isFoundation(settings.dialect) && hasPorosity(flow)},
+                                                 {"pedestrians", !flow.probes.empty()},
+                                                 {"walls", !flow.walls().empty()},
+                                                 {"checkProfile", settings.checkProfile && !flow.isRoom()}};
   for (const auto& [fact, isTrue] : others)
   {
     if (isTrue)
@@ -326,7 +369,12 @@ Filling fillingOf(const CaseOfDirection& flow)
   addRun(filling.values, flow);
   if (flow.settings.processors > 1)
   {
-    addDivision(filling, static_cast<std::size_t>(flow.settings.processors), flow.mesh.bounds.size());
+    std::vector<std::string> sides;
+    for (const CaseBaffle& baffle : flow.baffles)
+    {
+      std::ranges::copy(sidesOfZone(baffle.zone), std::back_inserter(sides));
+    }
+    addDivision(filling, static_cast<std::size_t>(flow.settings.processors), flow.mesh.bounds.size(), sides);
   }
   return filling;
 }
@@ -355,6 +403,31 @@ void addPatch(Filling& filling, const CaseOfDirection& flow, const CasePatch& pa
   {
     add(filling.values, "sandGrain", choice.sandGrain);
   }
+}
+
+bool isSteadied(const CaseBaffle& baffle) { return baffle.resistance > 0.0 || steepness(baffle) > 0.0; }
+
+void addBaffle(Filling& filling, const CaseBaffle& baffle)
+{
+  Values& values = filling.values;
+  const double uneven = baffle.faceArea / baffle.area;
+  filling.facts.insert(baffle.isFan() ? "fan" : "screen");
+  add(values, "zone", baffle.zone);
+  add(values, "cellsBeside", cellsBesideZone(baffle.zone));
+  if (baffle.isFan())
+  {
+    add(values, "fanOverSpeed", fanFunction(baffle.curve, baffle.faceArea));
+    add(values, "fanOverFlow", fanFunction(baffle.curve, 1.0));
+  }
+  else
+  {
+    add(values, "screenResistance", baffle.resistance * uneven * uneven);
+    add(values, "screenLinear", baffle.linear * uneven / (airDensity * airViscosity));
+  }
+  add(values, "firstAxis", baffle.normal);
+  add(values, "secondAxis", directionAcross(baffle.normal));
+  add(values, "steadyingInertia", 2.0 * baffle.resistance / baffle.cellWidth);
+  add(values, "steadyingLinear", 2.0 * steepness(baffle) / (airDensity * airViscosity * baffle.cellWidth));
 }
 
 void addScalarAt(Filling& filling, const CaseScalar& scalar, const CasePatch& patch)

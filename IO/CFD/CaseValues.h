@@ -17,6 +17,7 @@ struct CaseOfDirection
   std::vector<Vec3> probes;
   std::vector<CaseScalar> scalars = {};
   std::vector<CaseCanopy> canopies = {};
+  std::vector<CaseBaffle> baffles = {};
 
   std::vector<std::string> namesOf(PatchRole role) const;
   /// Returns the names of all walls but the ground.
@@ -58,6 +59,11 @@ const CaseScalar* scalarOf(const CaseOfDirection& flow, const CaseField& field);
 Filling fillingOf(const CaseOfDirection& flow);
 /// Adds what boundary conditions of a patch may name.
 void addPatch(Filling& filling, const CaseOfDirection& flow, const CasePatch& patch, const PatchChoice& choice);
+/// True if the jump at a baffle depends on the flow, so that a model has to steady it. The solver takes the jump of the
+/// flow before, which diverges where the loss coefficient is above some 1.
+bool isSteadied(const CaseBaffle& baffle);
+/// Adds what the sides of a face zone and its model may name.
+void addBaffle(Filling& filling, const CaseBaffle& baffle);
 /// Adds what boundary conditions of a patch may name for a scalar.
 void addScalarAt(Filling& filling, const CaseScalar& scalar, const CasePatch& patch);
 

@@ -5,6 +5,7 @@
 #include "OpenFOAMCase.h"
 #include "OutputFolders.h"
 #include "Support/Error.h"
+#include "ZoneSides.h"
 
 #include <metis.h>
 
@@ -12,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <numeric>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -245,6 +247,47 @@ private:
   Members zoneFaces, zoneCells;
 };
 
+/// Returns the patches of divided zones both of which are in one part, face by face.
+std::set<std::string> undividedPatches(const PolyMesh& poly, std::span<const Index> partOf)
+{
+  std::set<std::string> names;
+  const auto partOfFace = [&](Index face) { return partOf[poly.mesh.owner[face]]; };
+  for (const auto& [first, second] : pairsOfSides(poly))
+  {
+    const PolyPatch& one = poly.patches[first];
+    const PolyPatch& other = poly.patches[second];
+    if (std::ranges::equal(one.faces, other.faces, {}, partOfFace, partOfFace))
+    {
+      names.insert({one.name, other.name});
+    }
+  }
+  return names;
+}
+
+/// Returns the patches of all divided zones.
+std::vector<std::string> pairedPatches(const PolyMesh& poly)
+{
+  std::vector<std::string> names;
+  for (const auto& [first, second] : pairsOfSides(poly))
+  {
+    names.push_back(poly.patches[first].name);
+    names.push_back(poly.patches[second].name);
+  }
+  return names;
+}
+
+void writeFiles(const fs::path& target, const ProcessorMesh& mesh, OpenFOAMFormat format, const ProgressRange& progress)
+{
+  const PolyMeshWriter writer(target, mesh.mesh, format, progress);
+  writer.writePoints();
+  writer.writeFaces();
+  writer.writeOwners();
+  writer.writeNeighbors();
+  writer.writeBoundary(mesh.patches);
+  writer.writeFaceZones(mesh.faceZones);
+  writer.writeCellZones(mesh.cellZones);
+}
+
 bool isProcessorFolder(const fs::directory_entry& entry)
 {
   const std::string name = entry.path().filename().string();
@@ -297,11 +340,31 @@ std::vector<Index> partitionCells(const FaceMesh& mesh, std::size_t parts)
   return partOf;
 }
 
+void keepPairsTogether(const PolyMesh& poly, std::vector<Index>& partOf)
+{
+  const auto pairs = pairsOfSides(poly);
+  for (bool isChanged = true; isChanged;) // a cell may be beside several pairs
+  {
+    isChanged = false;
+    for (const auto& [first, second] : pairs)
+    {
+      for (std::size_t i = 0; i < poly.patches[first].faces.size(); ++i)
+      {
+        Index& one = partOf[poly.mesh.owner[poly.patches[first].faces[i]]];
+        Index& other = partOf[poly.mesh.owner[poly.patches[second].faces[i]]];
+        isChanged = isChanged || one != other;
+        one = other = std::min(one, other);
+      }
+    }
+  }
+}
+
 ProcessorMeshes decompose(const PolyMesh& poly, std::span<const Index> partOf, std::size_t parts)
 {
+  const std::set<std::string> whole = undividedPatches(poly, partOf);
   for (const PolyPatch& patch : poly.patches)
   {
-    if (patch.type.starts_with("cyclic"))
+    if (patch.type.starts_with("cyclic") && !whole.contains(patch.name))
     {
       throw Error("patch '" + patch.name + "' is of type " + patch.type +
                   ", whose halves only OpenFOAM's decomposePar divides: write the case for one processor and run that");
@@ -309,6 +372,18 @@ ProcessorMeshes decompose(const PolyMesh& poly, std::span<const Index> partOf, s
   }
   const auto maker = std::make_shared<const PartMaker>(poly, partOf, parts);
   return [maker](std::size_t part) { return maker->make(part); };
+}
+
+void writePolyMesh(const fs::path& caseFolder, const PolyMesh& poly, OpenFOAMFormat format,
+                   const ProgressRange& progress)
+{
+  const std::vector<Index> partOf(poly.mesh.cellCount, 0);
+  const fs::path target = caseFolder / "constant" / "polyMesh";
+  for (const char* zones : {"faceZones", "cellZones"}) // without zones there is no file
+  {
+    fs::remove(target / zones);
+  }
+  writeFiles(target, decompose(poly, partOf, 1)(0), format, progress);
 }
 
 PatchEntry processorPatch(std::size_t part, std::size_t other)
@@ -329,18 +404,12 @@ void writeProcessor(const fs::path& folder, std::size_t part, const ProcessorMes
 {
   const fs::path target = folder / ("processor" + std::to_string(part)) / "constant" / "polyMesh";
   makeFolder(target);
-  const PolyMeshWriter writer(target, mesh.mesh, format, progress);
-  writer.writePoints();
-  writer.writeFaces();
-  writer.writeOwners();
-  writer.writeNeighbors();
-  writer.writeBoundary(mesh.patches);
-  writer.writeFaceZones(mesh.faceZones);
-  writer.writeCellZones(mesh.cellZones);
+  writeFiles(target, mesh, format, progress);
   if (mesh.cells.empty())
   {
     return;
   }
+  const PolyMeshWriter writer(target, mesh.mesh, format, progress);
   writer.writeLabelFile("cellProcAddressing", mesh.cells);
   writer.writeLabelFile("faceProcAddressing", mesh.faces);
   writer.writeLabelFile("pointProcAddressing", mesh.points);
@@ -356,12 +425,13 @@ Vec3 sizeOf(const FaceMesh& mesh)
 
 fs::path unfinishedProcessors(const fs::path& caseFolder) { return caseFolder / ".processors.unfinished"; }
 
-void placeProcessors(const fs::path& caseFolder, std::size_t parts, const Vec3& size)
+void placeProcessors(const fs::path& caseFolder, std::size_t parts, const Vec3& size,
+                     const std::vector<std::string>& undivided)
 {
   refuseProcessorResults(caseFolder);
   removeProcessors(caseFolder);
   moveFiles(unfinishedProcessors(caseFolder), caseFolder);
-  writeDecomposition(caseFolder, parts, size);
+  writeDecomposition(caseFolder, parts, size, undivided);
 }
 
 void refuseProcessorResults(const fs::path& caseFolder)
@@ -377,7 +447,7 @@ void refuseProcessorResults(const fs::path& caseFolder)
   }
 }
 
-void addDivision(Filling& filling, std::size_t parts, const Vec3& size)
+void addDivision(Filling& filling, std::size_t parts, const Vec3& size, const std::vector<std::string>& undivided)
 {
   std::size_t fewer = 1;
   for (std::size_t divisor = 1; divisor * divisor <= parts; ++divisor)
@@ -390,13 +460,19 @@ void addDivision(Filling& filling, std::size_t parts, const Vec3& size)
   filling.facts.insert("parallel");
   filling.values["processors"] = {std::to_string(parts)};
   filling.values["processorsAlongAxes"] = {foamVector({alongX, alongY, 1.0})};
+  if (!undivided.empty())
+  {
+    filling.facts.insert("undivided");
+    filling.values["undividedPatches"] = {foamList(undivided)};
+  }
 }
 
-void writeDecomposition(const fs::path& caseFolder, std::size_t parts, const Vec3& size)
+void writeDecomposition(const fs::path& caseFolder, std::size_t parts, const Vec3& size,
+                        const std::vector<std::string>& undivided)
 {
   constexpr const char* file = "system/decomposeParDict";
   Filling filling;
-  addDivision(filling, parts, size);
+  addDivision(filling, parts, size, undivided);
   writeFoamFile(caseFolder, file, "dictionary", textOf(caseFiles(), file, filling));
 }
 
@@ -425,14 +501,15 @@ void writeProcessors(const fs::path& caseFolder, const PolyMesh& poly, std::size
                      const RunContext& context)
 {
   context.progress.report(0.0, "Dividing the mesh among processors");
-  const std::vector<Index> partOf = partitionCells(poly.mesh, parts);
+  std::vector<Index> partOf = partitionCells(poly.mesh, parts);
+  keepPairsTogether(poly, partOf);
   const ProcessorMeshes meshes = decompose(poly, partOf, parts);
   context.progress.report(0.4, "Writing the processors' meshes");
   const UnfinishedFolder unfinished(unfinishedProcessors(caseFolder));
   context.executor.forEach(parts, 1, [&](std::size_t part) {
     writeProcessor(unfinished.path, part, meshes(part), format, context.progress);
   });
-  placeProcessors(caseFolder, parts, sizeOf(poly.mesh));
+  placeProcessors(caseFolder, parts, sizeOf(poly.mesh), pairedPatches(poly));
   context.progress.report(1.0, "Processors' meshes written");
 }
 

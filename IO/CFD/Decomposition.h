@@ -39,8 +39,16 @@ struct ProcessorMesh
 using ProcessorMeshes = std::function<ProcessorMesh(std::size_t)>;
 
 /// Returns a function that makes the mesh of each part. `partOf` has the part of each cell; it and `poly` outlive the
-/// result. Throws Error for a patch of a cyclic type.
+/// result. Throws Error for a patch of a cyclic type, unless it is a
+/// side of a divided zone and both are in one part, face by face.
 ProcessorMeshes decompose(const PolyMesh& poly, std::span<const Index> partOf, std::size_t parts);
+
+/// Puts the cells on both sides of divided zones into one part.
+void keepPairsTogether(const PolyMesh& poly, std::vector<Index>& partOf);
+
+/// Writes all files of a mesh into its folder constant/polyMesh.
+void writePolyMesh(const std::filesystem::path& caseFolder, const PolyMesh& poly, OpenFOAMFormat format,
+                   const ProgressRange& progress);
 
 /// Returns the patch of a processor's faces that another processor shares.
 PatchEntry processorPatch(std::size_t part, std::size_t other);
@@ -58,7 +66,8 @@ std::filesystem::path unfinishedProcessors(const std::filesystem::path& caseFold
 
 /// Replaces all existing processor folders by the complete ones, and writes system/decomposeParDict for a mesh of that
 /// size. Throws Error as refuseProcessorResults() does.
-void placeProcessors(const std::filesystem::path& caseFolder, std::size_t parts, const Vec3& size);
+void placeProcessors(const std::filesystem::path& caseFolder, std::size_t parts, const Vec3& size,
+                     const std::vector<std::string>& undivided = {});
 
 /// Throws Error if the case has processor folders with results of a run: anything besides a mesh and the folder 0.
 void refuseProcessorResults(const std::filesystem::path& caseFolder);
@@ -67,10 +76,12 @@ void refuseProcessorResults(const std::filesystem::path& caseFolder);
 void removeProcessors(const std::filesystem::path& caseFolder);
 
 /// Adds what the template of system/decomposeParDict names: the number of parts, and a grid of them over the ground
-/// that is as square as their number allows. `size` is that of the mesh along the axes.
-void addDivision(Filling& filling, std::size_t parts, const Vec3& size);
+/// that is as square as their number allows. `size` is that of the mesh along the axes. Both halves of the patches
+/// `undivided` stay on one processor.
+void addDivision(Filling& filling, std::size_t parts, const Vec3& size, const std::vector<std::string>& undivided = {});
 /// Writes system/decomposeParDict, which OpenFOAM's parallel runs need.
-void writeDecomposition(const std::filesystem::path& caseFolder, std::size_t parts, const Vec3& size);
+void writeDecomposition(const std::filesystem::path& caseFolder, std::size_t parts, const Vec3& size,
+                        const std::vector<std::string>& undivided = {});
 
 /// Writes processor<i>/constant/polyMesh for each part of the case's mesh, with cellProcAddressing and so on, and
 /// system/decomposeParDict. All existing processor folders are replaced, once all is written. Throws Error as the

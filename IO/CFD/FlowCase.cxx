@@ -190,12 +190,37 @@ void shareMesh(const fs::path& folder)
   writePlainFile(folder / (folder.filename().string() + ".foam"), "");
 }
 
-/// Sets the types of patches by their roles, writes cell zones if they changed, and the parts for several processors.
-void finishMesh(const fs::path& caseFolder, PolyMesh& poly, bool zonesChanged, const CaseOfDirection& flow,
+/// Divides the zones of screens and fans. Returns true if there are any.
+bool divideBaffles(PolyMesh& poly, const CaseOfDirection& flow)
+{
+  std::vector<DividedZone> zones;
+  std::ranges::transform(flow.baffles, std::back_inserter(zones), &CaseBaffle::division);
+  if (!zones.empty())
+  {
+    divideZones(poly, zones);
+  }
+  return !zones.empty();
+}
+
+/// What of a mesh differs from that on file.
+struct Changes
+{
+  bool faces = false;
+  bool cellZones = false;
+};
+
+/// Divides the zones of screens and fans, sets the types of patches by their roles, writes what has changed, and the
+/// parts for several processors.
+void finishMesh(const fs::path& caseFolder, PolyMesh& poly, Changes changed, const CaseOfDirection& flow,
                 const RunContext& context)
 {
   const FlowCaseSettings& settings = flow.settings;
-  if (zonesChanged)
+  changed.faces = divideBaffles(poly, flow) || changed.faces;
+  if (changed.faces)
+  {
+    writePolyMesh(caseFolder, poly, settings.format, context.progress);
+  }
+  else if (changed.cellZones)
   {
     const fs::path polyMesh = caseFolder / "constant" / "polyMesh";
     fs::remove(polyMesh / "cellZones"); // without zones there is no file
@@ -309,7 +334,9 @@ CaseOfDirection chosen(const CaseMesh& mesh, const FlowCaseSettings& settings, d
 WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings, const RunContext& context)
 {
   PolyMesh poly = readPolyMesh(caseFolder);
-  const bool hadTrees = dropEarlier(caseFolder, poly);
+  Changes changed;
+  changed.faces = uniteSides(poly);
+  changed.cellZones = dropEarlier(caseFolder, poly);
   const CaseMesh mesh = describeMesh(poly, context);
   settleKind(mesh, settings);
   const std::vector<std::string> folders = foldersOf(settings);
@@ -318,6 +345,7 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
   Windless windless;
   std::vector<Upstream> upstreams;
   std::vector<CaseCanopy> canopies;
+  const std::vector<CaseBaffle> baffles = bafflesOf(poly, settings, context);
   nlohmann::ordered_json treeReport = nlohmann::ordered_json::object();
   removeProcessors(caseFolder); // they belong to another mesh or number of processors
   for (std::size_t d = 0; d < folders.size(); ++d)
@@ -327,6 +355,7 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
     const std::vector<std::string> warnings = settle(flow);
     canopies = d == 0 ? canopiesOfCase(poly, flow, written, treeReport, context) : canopies;
     flow.canopies = canopies;
+    flow.baffles = baffles;
     const std::optional<double> upstream = ownRoughnessUpstream(poly, flow);
     upstreams.push_back({folders[d], upstream.value_or(settings.wind.roughness)});
     for (const std::string& name : inletsWithoutWind(mesh, settings, flow.choices, flow.wind))
@@ -346,7 +375,8 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
       report.update(treeReport);
       written.summary = flow.isRoom() ? joinedLines(summaryOfRoom(flow), written.summary) : written.summary;
       written.warnings.insert(written.warnings.begin(), warnings.begin(), warnings.end());
-      finishMesh(caseFolder, poly, hadTrees || !treeReport.empty(), flow, context);
+      changed.cellZones = changed.cellZones || !treeReport.empty();
+      finishMesh(caseFolder, poly, changed, flow, context);
     }
     addProcessors(folder, folders[d] != ".", settings.processors);
     report["directions"].push_back(describeDirection(flow, settings.directions[d], folders[d]));

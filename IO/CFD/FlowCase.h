@@ -2,6 +2,7 @@
 /// Cases of steady wind around and through buildings, and of ventilated rooms, for simpleFoam.
 #pragma once
 
+#include "CaseBaffles.h"
 #include "CaseCanopies.h"
 #include "CaseMesh.h"
 #include "CaseScalars.h"
@@ -126,6 +127,8 @@ struct FlowCaseSettings
   std::vector<ScalarRule> scalarRules;
   std::vector<CanopyRule> canopyRules;
   std::filesystem::path treeFile; ///< see readTrees(); none if empty
+  std::vector<ScreenRule> screenRules;
+  std::vector<FanRule> fanRules;
   std::vector<PatchRule> patchRules;
   std::vector<ConditionRule> conditionRules;
 };

@@ -109,6 +109,41 @@ std::string vtkAtriaOpenFOAMCaseWriter::GetCanopyRule(int i)
   return this->CanopyRules.at(static_cast<std::size_t>(i));
 }
 
+void vtkAtriaOpenFOAMCaseWriter::AddScreenRule(const char* rule)
+{
+  this->ScreenRules.emplace_back(rule ? rule : "");
+  this->Modified();
+}
+
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllScreenRules()
+{
+  this->ScreenRules.clear();
+  this->Modified();
+}
+
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfScreenRules() { return static_cast<int>(this->ScreenRules.size()); }
+
+std::string vtkAtriaOpenFOAMCaseWriter::GetScreenRule(int i)
+{
+  return this->ScreenRules.at(static_cast<std::size_t>(i));
+}
+
+void vtkAtriaOpenFOAMCaseWriter::AddFanRule(const char* rule)
+{
+  this->FanRules.emplace_back(rule ? rule : "");
+  this->Modified();
+}
+
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllFanRules()
+{
+  this->FanRules.clear();
+  this->Modified();
+}
+
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfFanRules() { return static_cast<int>(this->FanRules.size()); }
+
+std::string vtkAtriaOpenFOAMCaseWriter::GetFanRule(int i) { return this->FanRules.at(static_cast<std::size_t>(i)); }
+
 void vtkAtriaOpenFOAMCaseWriter::AddPatchRule(const char* rule)
 {
   this->PatchRules.emplace_back(rule ? rule : "");
@@ -218,6 +253,14 @@ atria::FlowCaseSettings vtkAtriaOpenFOAMCaseWriter::GetSettings()
     settings.canopyRules.push_back(atria::canopyRuleFrom(rule));
   }
   settings.treeFile = this->TreeFile ? this->TreeFile : "";
+  for (const std::string& rule : this->ScreenRules)
+  {
+    settings.screenRules.push_back(atria::screenRuleFrom(rule));
+  }
+  for (const std::string& rule : this->FanRules)
+  {
+    settings.fanRules.push_back(atria::fanRuleFrom(rule));
+  }
   for (const std::string& rule : this->PatchRules)
   {
     settings.patchRules.push_back(atria::patchRuleFrom(rule));
@@ -324,6 +367,14 @@ void vtkAtriaOpenFOAMCaseWriter::PrintSelf(ostream& os, vtkIndent indent)
     os << indent << "CanopyRule: " << rule << "\n";
   }
   os << indent << "TreeFile: " << (this->TreeFile ? this->TreeFile : "(none)") << "\n";
+  for (const std::string& rule : this->ScreenRules)
+  {
+    os << indent << "ScreenRule: " << rule << "\n";
+  }
+  for (const std::string& rule : this->FanRules)
+  {
+    os << indent << "FanRule: " << rule << "\n";
+  }
   for (const std::string& rule : this->PatchRules)
   {
     os << indent << "PatchRule: " << rule << "\n";

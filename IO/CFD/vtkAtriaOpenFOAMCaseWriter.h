@@ -255,6 +255,30 @@ public:
 
   ///@{
   /**
+   * Porous screens in face zones, such as insect screens, as `PATTERN RESISTANCE`: the loss coefficient K, with which
+   * the pressure falls by K rho U^2 / 2, such as `Window 2.5`; or with a linear part in Pa for each m/s, such as
+   * `Window 2.5,0.4`. The zones must be plane. The last of several rules for a zone holds. None by default.
+   */
+  void AddScreenRule(const char* rule);
+  void RemoveAllScreenRules();
+  int GetNumberOfScreenRules();
+  std::string GetScreenRule(int i);
+  ///@}
+
+  ///@{
+  /**
+   * Fans in face zones, as `PATTERN PRESSURE` or `PATTERN FILE`: the pressure rise along the zone's normal in Pa, such
+   * as `Fan 20`, or a table with lines of flow rate (m3/s, rising) and pressure (Pa, falling). Negative pressures blow
+   * against the normal. The zones must be plane. The last of several rules for a zone holds. None by default.
+   */
+  void AddFanRule(const char* rule);
+  void RemoveAllFanRules();
+  int GetNumberOfFanRules();
+  std::string GetFanRule(int i);
+  ///@}
+
+  ///@{
+  /**
    * Roles of patches, as `PATTERN ROLE`. The pattern (* and ? stand for text) is in double quotes if it holds blanks.
    * Roles are inlet, inlet:AMOUNT (which blows along its normal; m/s, m3/s, m3/h or l/s, such as inlet:0.5m/s), outlet,
    * inletOutlet (by the flow), slip, ground, wall or rough:SIZE (a wall with sand grains of that height, meters). The
@@ -343,6 +367,8 @@ private:
   std::vector<std::string> ScalarRules;
   std::vector<std::string> CanopyRules;
   char* TreeFile = nullptr;
+  std::vector<std::string> ScreenRules;
+  std::vector<std::string> FanRules;
   std::vector<std::string> PatchRules;
   std::vector<std::string> ConditionRules;
   std::vector<std::string> GroundRules;

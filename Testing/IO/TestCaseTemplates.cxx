@@ -121,6 +121,8 @@ protected:
     const atria::Vec3 wind(isWind ? 1 : 0, 0, 0);
     flows.push_back({mesh, made, wind, choices, {atria::Vec3(1, 1, 1)}});
     flows.back().canopies = {{"hall", 1.0, 0.2, 5.0}};
+    flows.back().baffles = {{"Window", {0, 1, 0}, 1.0, 1.0, 0.1, 2.0, 0.5, {}},
+                            {"Fan", {1, 0, 0}, 1.0, 1.0, 0.1, 0.0, 0.0, {{0.0, 20.0}, {1.0, 10.0}}}};
     const bool takesSurfaces = !atria::isFoundation(dialect);
     flows.back().scalars = {{"CO2", {{"hall", 5e-6}}, {}, {{"side6", 4e-4}}}};
     if (takesSurfaces)
@@ -150,6 +152,11 @@ protected:
       {
         fillings.push_back(atria::fillingOf(flow));
         fillings.back().facts.insert(fact);
+      }
+      for (const atria::CaseBaffle& baffle : flow.baffles)
+      {
+        fillings.push_back(atria::fillingOf(flow));
+        atria::addBaffle(fillings.back(), baffle);
       }
       const std::vector<Filling> patches = fillingsOfPatches(flow);
       fillings.insert(fillings.end(), patches.begin(), patches.end());
