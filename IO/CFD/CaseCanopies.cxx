@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CaseCanopies.h"
 
+#include "FoamText.h"
 #include "NumberTable.h"
 #include "PatchNames.h"
 #include "Quality/Faces/Geometry.h"
@@ -21,6 +22,9 @@ namespace {
 /// Share of a tree's height at which its crown begins.
 constexpr double crownBase = 1.0 / 3.0;
 constexpr const char* zoneName = "trees";
+/// A length far below the sizes of cells, over the cube root of the smallest volume: also flat cells of layers have
+/// their centers farther apart.
+constexpr double smallShare = 1e-3;
 
 bool isPositive(double value) { return value > 0.0 && std::isfinite(value); }
 
@@ -170,6 +174,44 @@ std::vector<CaseCanopy> canopiesOf(const CaseMesh& mesh, const std::vector<Canop
     canopies.push_back(canopy);
   }
   return canopies;
+}
+
+void addCenters(const PolyMesh& poly, std::vector<CaseCanopy>& canopies, const RunContext& context)
+{
+  const MeasuredMesh measured = measureMesh(poly.mesh, context);
+  for (CaseCanopy& canopy : canopies)
+  {
+    const auto zone = std::ranges::find(poly.cellZones, canopy.zone, &CellZone::name);
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; zone != poly.cellZones.end() && i < zone->cells.size(); ++i)
+    {
+      canopy.centers.push_back(measured.geometry.cellCentroids[zone->cells[i]]);
+      least = std::min(least, measured.geometry.cellVolumes[zone->cells[i]]);
+    }
+    canopy.smallLength = smallShare * std::cbrt(least);
+  }
+}
+
+std::string surfaceFileOf(const CaseCanopy& canopy) { return "canopy_" + canopy.zone + ".obj"; }
+
+std::string surfaceOf(const CaseCanopy& canopy)
+{
+  const double reach = 0.5 * canopy.smallLength;
+  const Vec3 corners[] = {{-reach, -reach, reach}, {reach, -reach, reach}, {0.0, reach, reach}};
+  std::string text;
+  for (const Vec3& center : canopy.centers)
+  {
+    for (const Vec3& corner : corners)
+    {
+      const Vec3 point = center + corner;
+      text += "v " + foamNumber(point[0]) + " " + foamNumber(point[1]) + " " + foamNumber(point[2]) + "\n";
+    }
+  }
+  for (std::size_t i = 0; i < canopy.centers.size(); ++i)
+  {
+    text += "f " + std::to_string(3 * i + 1) + " " + std::to_string(3 * i + 2) + " " + std::to_string(3 * i + 3) + "\n";
+  }
+  return text;
 }
 
 std::vector<Tree> readTrees(const std::filesystem::path& file)

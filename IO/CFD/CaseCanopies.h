@@ -29,7 +29,19 @@ struct CaseCanopy
   double leafAreaDensity = 0.0; ///< 1/m
   double dragCoefficient = 0.0;
   double volume = 0.0; ///< m3
+  /// Centers of the cells, and a length far below their sizes, meters. Empty and 0 until addCenters().
+  std::vector<Vec3> centers = {};
+  double smallLength = 0.0;
 };
+
+/// Sets the cells' centers of canopies from the mesh that has their zones.
+void addCenters(const PolyMesh& poly, std::vector<CaseCanopy>& canopies, const RunContext& context);
+
+/// Returns the file of a canopy's surface. OpenFOAM's sources of turbulence by leaves take the cells below a surface.
+std::string surfaceFileOf(const CaseCanopy& canopy);
+/// Returns a surface, as an OBJ file, of one small triangle right above the center of each cell, so that the cells
+/// below it are exactly those of the canopy.
+std::string surfaceOf(const CaseCanopy& canopy);
 
 /// Returns the canopies that rules make of the mesh's cell zones. Throws Error if a rule matches no zone.
 std::vector<CaseCanopy> canopiesOf(const CaseMesh& mesh, const std::vector<CanopyRule>& rules);

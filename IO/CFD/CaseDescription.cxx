@@ -81,7 +81,7 @@ void describeScalars(const CaseOfDirection& flow, Json& report)
   }
 }
 
-/// Leaves slow the air. What they do to turbulence is not in the case, and the description says so.
+/// Leaves slow the air. The description says whether they are sources of turbulence too.
 void describeCanopies(const CaseOfDirection& flow, Json& report)
 {
   for (const CaseCanopy& canopy : flow.canopies)
@@ -90,7 +90,7 @@ void describeCanopies(const CaseOfDirection& flow, Json& report)
                                   {"leaf_area_density", canopy.leafAreaDensity},
                                   {"drag_coefficient", canopy.dragCoefficient},
                                   {"volume", canopy.volume},
-                                  {"sources", "momentum"}});
+                                  {"sources", flow.leavesMakeTurbulence() ? "momentum, k, epsilon" : "momentum"}});
   }
 }
 

@@ -2,6 +2,7 @@
 #include "CaseFiles.h"
 
 #include "FoamText.h"
+#include "OutputFolders.h"
 #include "PatchNames.h"
 #include "Support/Error.h"
 #include "Support/NamePattern.h"
@@ -274,6 +275,10 @@ void addCanopies(Filling& filling, const CaseOfDirection& flow)
     Filling its = filling;
     its.values["zone"] = {canopy.zone};
     its.values["inertia"] = {foamNumber(2.0 * canopy.dragCoefficient * canopy.leafAreaDensity)};
+    its.values["leafAreaDensity"] = {foamNumber(canopy.leafAreaDensity)};
+    its.values["dragCoefficient"] = {foamNumber(canopy.dragCoefficient)};
+    its.values["canopySurface"] = {surfaceFileOf(canopy)};
+    its.values["canopySpan"] = {foamNumber(canopy.smallLength)};
     its.values["firstAxis"] = {foamVector(Vec3::UnitX())};
     its.values["secondAxis"] = {foamVector(Vec3::UnitY())};
     append(canopies, textOf(caseParts(), "canopy", its));
@@ -328,6 +333,17 @@ void writeDictionaries(const fs::path& folder, const Filling& filling)
   }
 }
 
+/// Writes the surfaces of canopies, where OpenFOAM looks for surfaces.
+void writeSurfaces(const fs::path& folder, const CaseOfDirection& flow)
+{
+  const fs::path place = folder / surfaceFolder(flow.settings.dialect);
+  for (std::size_t i = 0; flow.leavesMakeTurbulence() && i < flow.canopies.size(); ++i)
+  {
+    makeFolder(place);
+    writePlainFile(place / surfaceFileOf(flow.canopies[i]), surfaceOf(flow.canopies[i]));
+  }
+}
+
 void writeScripts(const fs::path& folder, const Filling& filling)
 {
   for (const char* script : {"Allrun", "Allclean"})
@@ -337,6 +353,11 @@ void writeScripts(const fs::path& folder, const Filling& filling)
 }
 
 } // namespace
+
+std::string surfaceFolder(OpenFOAMDialect dialect)
+{
+  return isFoundation(dialect) ? "constant/geometry" : "constant/triSurface";
+}
 
 void writeCaseFiles(const fs::path& folder, const CaseOfDirection& flow, Filling more)
 {
@@ -354,6 +375,7 @@ void writeCaseFiles(const fs::path& folder, const CaseOfDirection& flow, Filling
   addWalls(filling, flow);
   addProbes(filling, flow.probes);
   writeDictionaries(folder, filling);
+  writeSurfaces(folder, flow);
   writeScripts(folder, filling);
 }
 

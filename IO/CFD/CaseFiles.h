@@ -10,6 +10,8 @@ namespace atria {
 /// others. Throws
 /// Error if a condition rule names an unknown field or if a file cannot be written.
 void writeCaseFiles(const std::filesystem::path& folder, const CaseOfDirection& flow, Filling more = {});
+/// Returns the folder of surfaces within a case.
+std::string surfaceFolder(OpenFOAMDialect dialect);
 /// Writes Allrun and Allclean, which run those of the cases in `folders`.
 void writeRoseScripts(const std::filesystem::path& folder, const std::vector<std::string>& folders);
 

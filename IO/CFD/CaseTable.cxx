@@ -14,8 +14,8 @@ namespace {
 //   kEpsilon, realizableKE, kOmegaSST; ageOfAir, parallel, walls, pedestrians, checkProfile; emptyDomain;
 //   patches: inletBySpeed, inletByFlow, windInlet, windBothWays (a windInlet too), opening (of a room), outlet, slip,
 //   ground (ownRoughness too if it has a roughness length of its own), wall, roughWall, constraint; surfaceSource of a
-//   passive scalar; screen and fan at the two sides of a face zone that has one; undivided if processors keep sides
-//   together.
+//   passive scalar; leaves if they are sources of turbulence; screen and fan at the two sides of a face zone that has
+//   one; undivided if processors keep sides together.
 // The name of a template ends with a dialect where other dialects have another template.
 // clang-format off
 
@@ -130,7 +130,7 @@ constexpr CaseRow parts[] = {
   {"application",      "foundation",          "system/application.foundation"},
   {"solver",           "opencfd",             "system/solver.opencfd"},
   {"solver",           "foundation",          "system/solver.foundation"},
-  {"libraries",        "wind",                "system/libraries"},
+  {"libraries",        "wind|leaves",         "system/libraries"},
   {"divScheme",        "",                    "system/divScheme"},
   {"fieldSolver",      "age foundation-14",   "system/ageSolver.foundation-14"},
   {"scalarRelaxation", "",                    "system/scalarRelaxation"},
@@ -152,6 +152,7 @@ constexpr CaseRow parts[] = {
   {"scalarFunction",   "foundation",          "functions/scalar.foundation"},
   {"scalarSource",     "opencfd",             "functions/scalarSource.opencfd"},
   {"scalarSource",     "foundation",          "functions/scalarSource.foundation"},
+  {"canopy",           "leaves",              "models/canopyTurbulence"},
   {"canopy",           "",                    "models/canopy"},
   {"baffle",           "",                    "models/baffle"},
   {"porosityModel",    "foundation-14",       "models/porosity.foundation-14"},

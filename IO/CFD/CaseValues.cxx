@@ -197,6 +197,7 @@ void addFacts(Filling& filling, const CaseOfDirection& flow)
   const std::pair<const char*, bool> others[] = {{"ageOfAir", settings.ageOfAir},
                                                  {"fvModels", hasModels(flow)},
                                                  {"fvOptions", !isFoundation(settings.dialect) && hasPorosity(flow)},
+                                                 {"leaves", flow.leavesMakeTurbulence()},
                                                  {"pedestrians", !flow.probes.empty()},
                                                  {"walls", !flow.walls().empty()},
                                                  {"checkProfile", settings.checkProfile && !flow.isRoom()}};
@@ -222,7 +223,8 @@ void addWind(Values& values, const CaseOfDirection& flow)
 void addModel(Values& values, const CaseOfDirection& flow)
 {
   const Turbulence typical = typicalTurbulence(flow);
-  add(values, "turbulenceModel", modelName(flow.settings.turbulence));
+  add(values, "turbulenceModel",
+      flow.leavesMakeTurbulence() ? "kEpsilonLopesdaCosta" : modelName(flow.settings.turbulence));
   add(values, "k", typical.k);
   add(values, "epsilon", typical.epsilon);
   add(values, "omega", typical.omega);

@@ -27,6 +27,8 @@ struct CaseOfDirection
   std::vector<std::size_t> buildings() const;
   /// Returns the roughness length of a Ground, meters.
   double roughnessOf(const PatchChoice& choice) const { return choice.roughness.value_or(settings.wind.roughness); }
+  /// True if the case has sources of turbulence by leaves: OpenFOAM has them in a variant of k-epsilon only.
+  bool leavesMakeTurbulence() const { return !canopies.empty() && settings.turbulence == TurbulenceModel::KEpsilon; }
   bool isRoom() const { return settings.kind == FlowKind::Room; }
 };
 

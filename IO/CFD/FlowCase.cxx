@@ -270,6 +270,12 @@ bool dropEarlier(const fs::path& caseFolder, PolyMesh& poly)
     {
       fs::remove(folder / "0" / scalar.value("name", "-"));
     }
+    for (const auto& canopy : listOf("canopies"))
+    {
+      const std::string surface = surfaceFileOf({canopy.value("zone", "")});
+      fs::remove(folder / surfaceFolder(OpenFOAMDialect::OpenCFD1912) / surface);
+      fs::remove(folder / surfaceFolder(OpenFOAMDialect::Foundation) / surface);
+    }
     fs::remove(folder / "constant" / "fvOptions");
     fs::remove(folder / "constant" / "fvModels");
   }
@@ -308,10 +314,18 @@ std::vector<CaseCanopy> canopiesOfCase(PolyMesh& poly, const CaseOfDirection& fl
       canopies.push_back(canopy);
     }
   }
-  if (!canopies.empty())
+  if (canopies.empty())
   {
-    written.warnings.emplace_back("canopies slow the air, but the case has no sources of turbulence by leaves: k and "
-                                  "epsilon behind trees are rough estimates");
+    return canopies;
+  }
+  if (flow.settings.turbulence == TurbulenceModel::KEpsilon)
+  {
+    addCenters(poly, canopies, context);
+  }
+  else
+  {
+    written.warnings.emplace_back("canopies slow the air, but this model of turbulence has no sources by leaves: k and "
+                                  "epsilon behind trees are rough estimates. k-epsilon has them");
   }
   return canopies;
 }

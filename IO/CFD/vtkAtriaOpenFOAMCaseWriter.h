@@ -234,8 +234,8 @@ public:
   ///@{
   /**
    * Cell zones with leaves that slow the air, as `PATTERN LAD CD`: leaf area density in 1/m, one side of the leaves,
-   * and their drag coefficient, such as `Hedge 2 0.2`. The last of several rules for a zone holds. The case has no
-   * sources of turbulence by leaves, and a warning says so. None by default.
+   * and their drag coefficient, such as `Hedge 2 0.2`. The last of several rules for a zone holds. With
+   * KEpsilon leaves are sources of turbulence too; a warning says that other models have none. None by default.
    */
   void AddCanopyRule(const char* rule);
   void RemoveAllCanopyRules();

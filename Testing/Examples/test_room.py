@@ -319,6 +319,21 @@ class Room(unittest.TestCase):
         self.assertAlmostEqual((pressure(5) - pressure(75)) / 10.0, 0.2 * 1.5 * 25.0, delta=0.2)
 
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_leaves_make_turbulence(self):
+        """Within the hedge k goes to U^2 / 5.1, where leaves make as much as they destroy, and falls behind it."""
+        duct, roles = self.hedge()
+        folder = self.case(duct, *roles, "--canopy", "Hedge", "1.5", "0.2", "--turbulence", "k-epsilon", "--iterations", "300")
+        self.assertEqual(self.described(folder)["canopies"][0]["sources"], "momentum, k, epsilon")
+        self.run_case(folder)
+        value = lambda name, i: Case(folder).runs[0].fields.mesh.GetCellData().GetArray(name).GetValue(i)
+        self.assertAlmostEqual((value("p", 35) - value("p", 45)) / 5.0, 0.2 * 1.5 * 25.0, delta=0.05)
+        self.assertLess(value("k", 25), 0.2)
+        self.assertAlmostEqual(value("k", 46) / (25.0 / 5.1), 1.0, delta=0.03)
+        self.assertLess(value("k", 75), value("k", 50))
+        self.case(duct, *roles)  # again without
+        self.assertFalse((folder / "constant/triSurface/canopy_Hedge.obj").exists())
+
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_several_inlets_and_outlets(self):
         """Each inlet blows what it was given, all goes out, and air is as old at the outlets as the room's air lasts."""
         for model in ("realizable", "k-omega-sst"):

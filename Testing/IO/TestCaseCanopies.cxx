@@ -83,4 +83,34 @@ TEST(Canopies, HaveEntriesOfEachDialect)
   }
 }
 
+TEST(Canopies, AreSourcesOfTurbulenceWithKEpsilon)
+{
+  atria::CaseMesh mesh;
+  mesh.patches.push_back({"In", "patch", {-1, 0, 0}, 1.0, {}});
+  mesh.bounds = {atria::Vec3(0, 0, 0), atria::Vec3(4, 4, 3)};
+  for (const auto dialect : {OpenFOAMDialect::OpenCFD1912, OpenFOAMDialect::OpenCFD, OpenFOAMDialect::Foundation,
+                             OpenFOAMDialect::Foundation14})
+  {
+    const atria::testing::ScratchFolder scratch;
+    atria::FlowCaseSettings settings;
+    settings.dialect = dialect;
+    settings.turbulence = atria::TurbulenceModel::KEpsilon;
+    const std::vector<atria::PatchChoice> choices{{atria::PatchRole::Inlet}};
+    atria::CaseOfDirection flow{mesh, settings, {1, 0, 0}, choices, {}};
+    flow.canopies = {{"Hedge", 1.5, 0.25, 1.0, {atria::Vec3(1, 2, 0.5)}, 0.002}};
+    atria::writeCaseFiles(scratch.path(), flow);
+    const bool isFoundation = atria::isFoundation(dialect);
+    const auto constant = scratch.path() / "constant";
+    const std::string models = atria::testing::bytesOf(constant / (isFoundation ? "fvModels" : "fvOptions"));
+    EXPECT_THAT(models, HasSubstr("Sigma           constant 1.5;"));
+    EXPECT_THAT(models, HasSubstr("CdSigma         0.25;"));
+    EXPECT_THAT(models, HasSubstr("betad           5.1;"));
+    EXPECT_THAT(models, HasSubstr("topSurface      canopy_Hedge.obj;"));
+    EXPECT_THAT(atria::testing::bytesOf(constant / (isFoundation ? "momentumTransport" : "turbulenceProperties")),
+                HasSubstr("kEpsilonLopesdaCosta;"));
+    EXPECT_EQ(atria::testing::bytesOf(constant / (isFoundation ? "geometry" : "triSurface") / "canopy_Hedge.obj"),
+              "v 0.999 1.999 0.501\nv 1.001 1.999 0.501\nv 1 2.001 0.501\nf 1 2 3\n");
+  }
+}
+
 } // namespace
