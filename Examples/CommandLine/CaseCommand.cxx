@@ -40,6 +40,7 @@ const Words dialects{"opencfd-1912", "opencfd-2006", "foundation-11", "foundatio
 const Words kinds{"automatic", "wind", "room"};
 /// Options of one kind of case that the other does not take.
 const Words windOptions{"--speed", "--height", "--roughness", "--north", "--ground", "--check-profile"};
+const Words blowingOptions{"--speed", "--height", "--check-profile"};
 const Words roomOptions{"--inlet-speed", "--inlet-flow"};
 
 struct Options
@@ -64,6 +65,11 @@ struct Options
   std::string trees;
   std::vector<std::pair<std::string, std::string>> screens;
   std::vector<std::pair<std::string, std::string>> fans;
+  std::optional<double> outdoorTemperature;
+  std::vector<std::pair<std::string, std::string>> temperatures;
+  std::vector<std::pair<std::string, std::string>> heats;
+  bool calm = false;
+  double transient = 0.0;
 };
 
 constexpr const char* examples = R"(Examples:
@@ -79,6 +85,8 @@ constexpr const char* examples = R"(Examples:
       the mesh of an OpenFOAM case, wind from the southwest, another model of turbulence, walls without friction
   atria case room.vtu -o case --inlet-flow 0.05 --age-of-air
       a room, whose openings are called Inlet and Outlet, or Supply_1 and Exhaust: 50 l/s through each inlet
+  atria case house.vtu -o case --calm --outdoor-temperature 20 --heat 'room_*' 2000W
+      air that warm rooms move, without wind
   atria case room.vtu -o case --patch East inlet:0.5m/s --patch West outlet
       a room whose openings have other names))";
 
@@ -173,6 +181,60 @@ void declareRoom(CLI::App& command, Options& options)
       ->check(numberIn(standard->GetInletFlowRateMinValue(), standard->GetInletFlowRateMaxValue()))
       ->excludes(speed)
       ->type_name("M3/S");
+}
+
+/// Accepts temperatures outdoors, and recognizes kelvin.
+CLI::Validator celsius(double least, double most)
+{
+  constexpr double absoluteZero = -273.15;
+  return CLI::Validator(
+      [=](std::string& input) {
+        double value = 0.0;
+        std::ostringstream text;
+        if (!readNumber(input, value) || value < least || value > most)
+        {
+          text << "'" << input << "' is no temperature outdoors from " << least << " to " << most << " degrees Celsius";
+        }
+        if (value + absoluteZero >= least && value + absoluteZero <= most && value > most)
+        {
+          text << "; " << value << " kelvin are " << value + absoluteZero;
+        }
+        return text.str();
+      },
+      "");
+}
+
+void declareWarmAir(CLI::App& command, Options& options)
+{
+  vtkNew<vtkAtriaOpenFOAMCaseWriter> standard;
+  command
+      .add_option(
+          "--outdoor-temperature", options.outdoorTemperature,
+          "Temperature of the air outdoors, degrees Celsius: the air takes up heat, and rises where it is warmer")
+      ->check(celsius(standard->GetOutdoorTemperatureMinValue(), standard->GetOutdoorTemperatureMaxValue()))
+      ->type_name("CELSIUS");
+  command
+      .add_option(
+          "--heat", options.heats,
+          "Heat of the cell zones whose name matches, or else of the surfaces: W of all together (Office 600W), or "
+          "W/m2 of surfaces (Floor 50W/m2); may be repeated, heat adds up")
+      ->allow_extra_args(false)
+      ->type_name("PATTERN AMOUNT");
+  command
+      .add_option("--temperature", options.temperatures,
+                  "Temperature of the surfaces whose name matches, or of the air that comes in at inlets and openings, "
+                  "degrees Celsius; may be repeated, the last holds")
+      ->allow_extra_args(false)
+      ->type_name("PATTERN CELSIUS");
+  command.add_flag("--calm", options.calm,
+                   "No wind and no inlets: warmth alone moves the air. Sides and top of the domain are open to air at "
+                   "rest, and so are a room's inlets and outlets");
+  command
+      .add_option("--transient", options.transient,
+                  "Compute this time from air at rest, seconds, instead of a steady flow (which air without wind may "
+                  "not have)")
+      ->check(numberIn(0.0, standard->GetTransientDurationMaxValue(), true))
+      ->type_name("SECONDS");
 }
 
 void declarePatches(CLI::App& command, Options& options)
@@ -348,6 +410,18 @@ void configure(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, const
     quoted << std::quoted(pressure);
     writer->AddFanRule(text(pattern, quoted.str()).c_str());
   }
+  writer->SetWarmAir(options.outdoorTemperature.has_value());
+  writer->SetOutdoorTemperature(options.outdoorTemperature.value_or(writer->GetOutdoorTemperature()));
+  writer->SetCalm(options.calm);
+  writer->SetTransientDuration(options.transient);
+  for (const auto& [pattern, celsius] : options.temperatures)
+  {
+    writer->AddTemperatureRule(text(pattern, celsius).c_str());
+  }
+  for (const auto& [pattern, amount] : options.heats)
+  {
+    writer->AddHeatRule(text(pattern, amount).c_str());
+  }
   for (const auto& [pattern, role] : options.patchRules)
   {
     writer->AddPatchRule(text(pattern, role).c_str());
@@ -379,7 +453,7 @@ bool writeCase(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, Conso
 }
 
 /// Warns of options that the case has no use for; a file for --config may hold them.
-void warnOfUnused(vtkAtriaOpenFOAMCaseWriter* writer, const CLI::App& command, Console& console)
+void warnOfUnused(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, const CLI::App& command, Console& console)
 {
   const bool isRoom = writer->GetWrittenKind() == vtkAtriaOpenFOAMCaseWriter::Room;
   for (const std::string& option : isRoom ? windOptions : roomOptions)
@@ -390,6 +464,13 @@ void warnOfUnused(vtkAtriaOpenFOAMCaseWriter* writer, const CLI::App& command, C
           option + (isRoom
                         ? " is for wind, and this is a room: see --inlet-speed, --inlet-flow and --kind"
                         : " is for rooms, and this is a case of wind: see --patch PATTERN inlet:AMOUNT, and --kind"));
+    }
+  }
+  for (const std::string& option : isRoom ? roomOptions : blowingOptions)
+  {
+    if (options.calm && command.count(option) > 0)
+    {
+      console.warning(option + " has no use with --calm: nothing blows");
     }
   }
 }
@@ -417,7 +498,7 @@ ExitStatus runCase(const Options& options, const CLI::App& command, Console& con
   {
     throw Failure(Failed, options.output + ": the case could not be written; check permissions and space");
   }
-  warnOfUnused(writer, command, console);
+  warnOfUnused(writer, options, command, console);
   if (!writer->GetSummary().empty())
   {
     std::cout << writer->GetSummary() << "\n";
@@ -444,6 +525,8 @@ void addCaseCommand(CLI::App& app, Console& console, ExitStatus& status)
   declareWind(*command, *options);
   group("Room");
   declareRoom(*command, *options);
+  group("Warm air");
+  declareWarmAir(*command, *options);
   group("Patches");
   declarePatches(*command, *options);
   group("Run");

@@ -97,6 +97,13 @@ constexpr std::array optionOf{
     std::pair{"ConditionRules", "--condition"},
     std::pair{"GroundRules", "--ground"},
     std::pair{"CheckProfile", "--check-profile"},
+    std::pair{"WarmAir", "--outdoor-temperature"},
+    std::pair{"OutdoorTemperature", "--outdoor-temperature"},
+    std::pair{"TemperatureRules", "--temperature"},
+    std::pair{"HeatRules", "--heat"},
+    std::pair{"by itself, Calm", "by itself, --calm"},
+    std::pair{"Calm:", "--calm:"},
+    std::pair{"TransientDuration", "--transient"},
     std::pair{"by Seeds", "by --seed"},
 };
 

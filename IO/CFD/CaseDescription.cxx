@@ -65,10 +65,40 @@ void describeWind(const WindProfile& wind, Json& report)
   report["friction_velocity"] = wind.frictionVelocity();
 }
 
+double speedInCalm(const CaseOfDirection& flow)
+{
+  return speedOfWarmAir(flow.heat, flow.settings.outdoorTemperature, flow.mesh.bounds.size()[2]);
+}
+
 void describeRoom(const CaseOfDirection& flow, Json& report)
 {
   report["kind"] = "room";
-  report["reference_speed"] = supplySpeed(flow);
+  report["reference_speed"] = suppliesOf(flow).empty() && flow.settings.calm ? speedInCalm(flow) : supplySpeed(flow);
+}
+
+/// Describes a domain whose air only heat moves.
+void describeCalm(const CaseOfDirection& flow, Json& report)
+{
+  report["kind"] = "calm";
+  report["reference_speed"] = speedInCalm(flow);
+}
+
+void describeHeat(const CaseOfDirection& flow, Json& report)
+{
+  const FlowCaseSettings& settings = flow.settings;
+  if (!settings.warmAir)
+  {
+    return;
+  }
+  report["calm"] = settings.calm;
+  report["warm_air"] = {{"outdoor_temperature", settings.outdoorTemperature},
+                        {"heat_capacity", warmAirAt(settings.outdoorTemperature).heatCapacity},
+                        {"diffusivities", heatDiffusivities()},
+                        {"zones", flow.heat.zones},
+                        {"surfaces", flow.heat.surfaces},
+                        {"temperatures", flow.heat.temperatures},
+                        {"incoming", flow.heat.incoming},
+                        {"duration", settings.transientDuration}};
 }
 
 void describeScalars(const CaseOfDirection& flow, Json& report)
@@ -131,7 +161,9 @@ Json describeCase(const CaseOfDirection& flow)
   const FlowCaseSettings& settings = flow.settings;
   const CaseMesh& mesh = flow.mesh;
   Json report;
-  flow.isRoom() ? describeRoom(flow, report) : describeWind(settings.wind, report);
+  flow.isRoom()    ? describeRoom(flow, report)
+  : flow.hasWind() ? describeWind(settings.wind, report)
+                   : describeCalm(flow, report);
   report["turbulence"] = modelName(settings.turbulence);
   report["iterations"] = settings.iterations;
   report["pedestrian_height"] = settings.pedestrianHeight;
@@ -157,17 +189,18 @@ Json describeCase(const CaseOfDirection& flow)
     report["rooms"].push_back({{"name", room.name}, {"volume", room.volume}});
   }
   describeScalars(flow, report);
+  describeHeat(flow, report);
   describeCanopies(flow, report);
   describeBaffles(flow, report);
   report["directions"] = Json::array();
   return report;
 }
 
-/// `towards` is the direction the wind blows to. A room has none.
+/// `towards` is the direction the wind blows to. Rooms and calm air have none.
 Json describeDirection(const CaseOfDirection& flow, double towards, const std::string& folder)
 {
   Json described = {{"folder", folder}};
-  if (!flow.isRoom())
+  if (flow.hasWind())
   {
     described["towards"] = towards;
     described["from"] = windFrom(towards, flow.settings.north);
@@ -248,6 +281,10 @@ std::string summaryOfRoom(const CaseOfDirection& flow)
                        [&](const std::string& name) { return conditionOf(flow.settings, "U", name); });
   std::vector<std::string> out = flow.namesOf(PatchRole::Outlet);
   std::ranges::copy(flow.namesOf(PatchRole::InletOutlet), std::back_inserter(out));
+  if (known.empty() && flow.settings.calm)
+  {
+    return "Room of " + shortNumber(flow.mesh.volume) + " m3, whose air heat moves through " + listed(out);
+  }
   const std::string changes = known.size() == inlets.size()
                                   ? ", " + shortNumber(flowRate * 3600.0 / flow.mesh.volume) + " air changes per hour"
                                   : "";

@@ -8,6 +8,7 @@
 #include "Support/NamePattern.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace atria {
 
@@ -71,7 +72,17 @@ Filling ofField(Filling filling, const CaseOfDirection& flow, const CaseField& f
   {
     addScalarAt(filling, *scalar, flow.mesh.patches[patch]);
   }
+  if (field.kind == FieldKind::Temperature)
+  {
+    addTemperatureAt(filling, flow, flow.mesh.patches[patch]);
+  }
   return filling;
+}
+
+/// True if a wall differs from other walls in a field.
+bool isOwnWall(const Filling& filling)
+{
+  return filling.facts.contains("surfaceSource") || filling.facts.contains("fixedTemperature");
 }
 
 /// Returns the dictionaries of a field's patches, except those that are as all walls.
@@ -83,12 +94,13 @@ Lines patchesOf(const CaseField& field, const CaseOfDirection& flow, const std::
     const bool isSymmetry = fillings[i].facts.contains("emptyDomain") && fillings[i].facts.contains("constraint");
     const ConditionRule* const rule =
         isSymmetry ? nullptr : conditionOf(flow.settings, std::string(field.name), flow.mesh.patches[i].name);
-    if (!rule && flow.choices[i].role == PatchRole::Wall && !scalarOf(flow, field))
+    const bool hasSources = scalarOf(flow, field) || field.kind == FieldKind::Temperature;
+    if (!rule && flow.choices[i].role == PatchRole::Wall && !hasSources)
     {
       continue;
     }
     Filling its = ofField(fillings[i], flow, field, i);
-    if (rule || flow.choices[i].role != PatchRole::Wall || its.facts.contains("surfaceSource"))
+    if (rule || flow.choices[i].role != PatchRole::Wall || isOwnWall(its))
     {
       its.values["condition"] = rule ? Lines{rule->entries} : textOf(caseConditions(), field.row, its);
       append(lines, textOf(caseParts(), "namedPatch", its));
@@ -153,11 +165,12 @@ void addFieldSchemes(Filling& filling, const std::vector<CaseField>& fields)
   for (const CaseField& field : fields)
   {
     const bool isTurbulence = field.kind == FieldKind::Turbulence;
-    if (holds(field.when, filling) && (isTurbulence || field.kind == FieldKind::Scalar))
+    const bool isTemperature = field.kind == FieldKind::Temperature;
+    if (holds(field.when, filling) && (isTurbulence || isTemperature || field.kind == FieldKind::Scalar))
     {
       append(schemes, textOf(caseParts(), "divScheme", withField(filling, field)));
     }
-    if (holds(field.when, filling) && isTurbulence)
+    if (holds(field.when, filling) && (isTurbulence || isTemperature))
     {
       turbulence.emplace_back(field.name);
     }
@@ -176,7 +189,8 @@ void addFieldSolvers(Filling& filling, const std::vector<CaseField>& fields)
   {
     const Filling its = withField(filling, field);
     const Lines solver = textOf(caseParts(), "fieldSolver", its);
-    if (solver.empty() && field.kind != FieldKind::Derived)
+    const bool isOfCase = field.kind != FieldKind::Temperature || holds(field.when, filling);
+    if (solver.empty() && field.kind != FieldKind::Derived && isOfCase)
     {
       alike.emplace_back(field.name);
     }
@@ -266,6 +280,69 @@ void addScalars(Filling& filling, const CaseOfDirection& flow)
   filling.values["fvModels"] = models;
 }
 
+/// Returns a part for each name, which it calls `as`.
+Lines partsFor(const std::vector<std::string>& names, const char* as, const char* part, Filling filling)
+{
+  Lines lines;
+  for (const std::string& name : names)
+  {
+    filling.values[as] = {name};
+    append(lines, textOf(caseParts(), part, filling));
+  }
+  return lines;
+}
+
+/// Returns the sources of heat in cell zones.
+Lines heatSources(const CaseOfDirection& flow, Filling filling)
+{
+  Lines sources;
+  for (const auto& [zone, watts] : flow.heat.zones)
+  {
+    filling.values["zone"] = {zone};
+    filling.values["heat"] = {foamNumber(watts)};
+    filling.values["heatOverCapacity"] = {foamNumber(watts / warmAirAt(flow.settings.outdoorTemperature).heatCapacity)};
+    append(sources, textOf(caseParts(), "heatSource", filling));
+  }
+  return sources;
+}
+
+template <class Map> std::vector<std::string> namesIn(const Map& map)
+{
+  std::vector<std::string> names;
+  for (const auto& [name, value] : map)
+  {
+    names.push_back(name);
+  }
+  return names;
+}
+
+/// Adds buoyancy, the function that carries the temperature along, and what is measured of temperatures and heat.
+void addHeat(Filling& filling, const CaseOfDirection& flow)
+{
+  std::vector<std::string> openings;
+  std::vector<std::string> rooms;
+  std::ranges::transform(flow.mesh.openings, std::back_inserter(openings), &CaseOpening::name);
+  std::ranges::transform(flow.mesh.rooms, std::back_inserter(rooms), &CaseRoom::name);
+  filling.values["heatSources"] = heatSources(flow, filling);
+  Lines functions = textOf(caseParts(), "temperatureFunction", filling);
+  if (!openings.empty())
+  {
+    append(functions, textOf(caseParts(), "faceHeat", filling));
+  }
+  append(functions, partsFor(openings, "zone", "heatOfOpening", filling));
+  append(functions, partsFor(passagesOf(flow), "patch", "heatOfPatch", filling));
+  append(functions, partsFor(rooms, "zone", "meanTemperature", filling));
+  append(functions, textOf(caseParts(), "meanOfAllTemperatures", filling));
+  if (!flow.heat.temperatures.empty())
+  {
+    append(functions, textOf(caseParts(), "surfaceHeat", filling));
+  }
+  append(functions, partsFor(namesIn(flow.heat.temperatures), "patch", "heatOfSurface", filling));
+  append(functions, partsFor(namesIn(flow.heat.surfaces), "patch", "surfaceTemperature", filling));
+  filling.values["heatFunctions"] = functions;
+  append(filling.values["fvOptions"], textOf(caseParts(), "buoyancy", filling));
+}
+
 /// Adds the sinks of canopies to the models. The coefficient f of Darcy and Forchheimer takes f |U| U / 2 from the air.
 void addCanopies(Filling& filling, const CaseOfDirection& flow)
 {
@@ -319,6 +396,12 @@ void addProbes(Filling& filling, const std::vector<Vec3>& probes)
   }
 }
 
+/// Returns the class of a dictionary's file: the acceleration of gravity is a value with dimensions.
+const char* classOf(std::string_view file)
+{
+  return file == "constant/g" ? "uniformDimensionedVectorField" : "dictionary";
+}
+
 /// True for a dictionary, which is neither a field nor a script.
 bool isDictionary(std::string_view file) { return file.starts_with("constant/") || file.starts_with("system/"); }
 
@@ -328,7 +411,7 @@ void writeDictionaries(const fs::path& folder, const Filling& filling)
   {
     if (isDictionary(row.what) && rowOf(caseFiles(), row.what, filling) == &row)
     {
-      writeFoamFile(folder, row.what, "dictionary", textOf(caseFiles(), row.what, filling));
+      writeFoamFile(folder, row.what, classOf(row.what), textOf(caseFiles(), row.what, filling));
     }
   }
 }
@@ -372,6 +455,11 @@ void writeCaseFiles(const fs::path& folder, const CaseOfDirection& flow, Filling
   addScalars(filling, flow);
   addCanopies(filling, flow);
   addBaffles(filling, flow);
+  filling.values["heatFunctions"] = {};
+  if (flow.settings.warmAir)
+  {
+    addHeat(filling, flow);
+  }
   addWalls(filling, flow);
   addProbes(filling, flow.probes);
   writeDictionaries(folder, filling);

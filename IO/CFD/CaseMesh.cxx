@@ -180,6 +180,7 @@ void describeZones(const PolyMesh& poly, const MeshGeometry& geometry, CaseMesh&
     {
       volume += geometry.cellVolumes[cell];
     }
+    described.hasOutdoors = described.hasOutdoors || zone.name == outdoors;
     if (zone.name != outdoors)
     {
       described.rooms.push_back({zone.name, volume});

@@ -63,6 +63,7 @@ struct CaseMesh
   std::vector<CasePatch> patches;
   std::vector<CaseOpening> openings;
   std::vector<CaseRoom> rooms; ///< without the outdoors
+  bool hasOutdoors = false;    ///< there is a cell zone of the outdoors
 };
 
 CaseMesh describeMesh(const PolyMesh& poly, const RunContext& context);

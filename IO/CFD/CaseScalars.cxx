@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CaseScalars.h"
 
+#include "CasePlaces.h"
 #include "FlowCase.h"
-#include "PatchNames.h"
 #include "Support/Error.h"
-#include "Support/NamePattern.h"
 
 #include <algorithm>
 #include <charconv>
@@ -16,8 +15,6 @@
 namespace atria {
 
 namespace {
-
-using Sizes = std::map<std::string, double>;
 
 /// Names that a scalar cannot have: a case has them already.
 constexpr const char* takenNames[] = {"U",     "p",     "k",     "epsilon", "omega",   "nut",    "age",        "phi",
@@ -38,83 +35,6 @@ void checkName(const std::string& name)
     throw Error("a scalar cannot be called '" + name +
                 "': a name has letters and digits, such as CO2, and is none of the flow's own fields");
   }
-}
-
-/// Returns the zones or patches whose name matches.
-Sizes matching(const std::string& pattern, const Sizes& sizes)
-{
-  Sizes found = sizes;
-  std::erase_if(found, [&](const auto& named) { return !matchesPatchName(pattern, named.first, openFOAMNames); });
-  return found;
-}
-
-void divide(double amount, const Sizes& among, std::map<std::string, double>& shares)
-{
-  double whole = 0.0;
-  for (const auto& [name, size] : among)
-  {
-    whole += size;
-  }
-  for (const auto& [name, size] : among)
-  {
-    if (size > 0.0)
-    {
-      shares[name] += amount * size / whole;
-    }
-  }
-}
-
-/// Names with sizes: volumes of cell zones, areas of surfaces, and areas of patches that let air in.
-struct Places
-{
-  Sizes zones;
-  Sizes surfaces;
-  Sizes openings;
-};
-
-bool letsAirIn(PatchRole role)
-{
-  return role == PatchRole::Inlet || role == PatchRole::Outlet || role == PatchRole::InletOutlet;
-}
-
-Places placesOf(const CaseMesh& mesh, const std::vector<PatchChoice>& choices)
-{
-  Places places;
-  for (const CaseRoom& room : mesh.rooms)
-  {
-    places.zones[room.name] = room.volume;
-  }
-  for (std::size_t i = 0; i < choices.size(); ++i)
-  {
-    if (choices[i].role != PatchRole::Constraint)
-    {
-      (letsAirIn(choices[i].role) ? places.openings : places.surfaces)[mesh.patches[i].name] = mesh.patches[i].area;
-    }
-  }
-  return places;
-}
-
-std::string unmatched(const ScalarRule& rule, const Places& places)
-{
-  std::vector<std::string> names;
-  for (const Sizes* sizes : {&places.zones, &places.surfaces, &places.openings})
-  {
-    for (const auto& [name, size] : *sizes)
-    {
-      names.push_back(name);
-    }
-  }
-  return "no cell zone and no patch matches '" + rule.pattern + "'; " + namesInstead(rule.pattern, names);
-}
-
-double sum(const Sizes& sizes)
-{
-  double total = 0.0;
-  for (const auto& [name, size] : sizes)
-  {
-    total += size;
-  }
-  return total;
 }
 
 /// Adds a source. Returns why it cannot, or nothing.
@@ -212,11 +132,8 @@ std::vector<CaseScalar> caseScalars(const CaseMesh& mesh, const FlowCaseSettings
   std::vector<CaseScalar> scalars;
   for (const ScalarRule& rule : settings.scalarRules)
   {
-    const bool isKnown = !matching(rule.pattern, places.zones).empty() ||
-                         !matching(rule.pattern, places.surfaces).empty() ||
-                         !matching(rule.pattern, places.openings).empty();
     CaseScalar& scalar = scalarCalled(rule.scalar, scalars);
-    const std::string fault = !isKnown        ? unmatched(rule, places)
+    const std::string fault = !isKnown(rule.pattern, places) ? unmatched(rule.pattern, places)
                               : rule.isSource ? addSource(rule, places, !isFoundation(settings.dialect), scalar)
                                               : addIncoming(rule, places, scalar);
     if (!fault.empty())

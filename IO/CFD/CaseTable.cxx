@@ -12,10 +12,11 @@ namespace {
 // Facts of a case and of its patches are added in CaseValues.cxx:
 //   opencfd (opencfd-1912, opencfd-2006), foundation (foundation-11, foundation-14); wind, room;
 //   kEpsilon, realizableKE, kOmegaSST; ageOfAir, parallel, walls, pedestrians, checkProfile; emptyDomain;
-//   patches: inletBySpeed, inletByFlow, windInlet, windBothWays (a windInlet too), opening (of a room), outlet, slip,
-//   ground (ownRoughness too if it has a roughness length of its own), wall, roughWall, constraint; surfaceSource of a
-//   passive scalar; leaves if they are sources of turbulence; screen and fan at the two sides of a face zone that has
-//   one; undivided if processors keep sides together.
+//   warmAir, transient, outdoorsAtRest (calm air in a cell zone of the outdoors);
+//   patches: inletBySpeed, inletByFlow, windInlet, windBothWays (a windInlet too), opening (of a room or to calm air),
+//   outlet, slip, ground (ownRoughness too if it has a roughness length of its own), wall, roughWall, constraint;
+//   surfaceSource of a passive scalar or of heat, fixedTemperature; leaves if they are sources of turbulence; screen
+//   and fan at the two sides of a face zone that has one; undivided if processors keep sides together.
 // The name of a template ends with a dialect where other dialects have another template.
 // clang-format off
 
@@ -28,6 +29,7 @@ constexpr CaseField fields[] = {
   {"epsilon", "volScalarField", FieldKind::Turbulence, "kEpsilon|realizableKE"},
   {"omega",   "volScalarField", FieldKind::Turbulence, "kOmegaSST"},
   {"age",     "volScalarField", FieldKind::Scalar,     "ageOfAir"},
+  {"T",       "volScalarField", FieldKind::Temperature, "warmAir"},
 };
 
 constexpr CaseRow files[] = {
@@ -39,6 +41,7 @@ constexpr CaseRow files[] = {
   {"0/epsilon",                                   "",                   "0/epsilon"},
   {"0/omega",                                     "",                   "0/omega"},
   {"0/age",                                       "opencfd",            "0/age"}, // the Foundation's function makes it
+  {"0/T",                                         "",                   "0/T"},
   {"0/scalar",                                    "",                   "0/scalar"}, // of each passive scalar
   {"constant/transportProperties",                "opencfd",            "constant/transportProperties"},
   {"constant/physicalProperties",                 "foundation",         "constant/physicalProperties"},
@@ -46,6 +49,7 @@ constexpr CaseRow files[] = {
   {"constant/momentumTransport",                  "foundation-11",      "constant/momentumTransport"},
   {"constant/momentumTransport",                  "foundation-14",      "constant/momentumTransport.foundation-14"},
   {"constant/atmosphericBoundaryLayerProperties", "foundation-14 wind", "constant/atmosphericBoundaryLayerProperties"},
+  {"constant/g",                                  "warmAir",            "constant/g"},
   {"constant/fvOptions",                          "fvOptions",          "constant/fvOptions"},
   {"constant/fvModels",                           "fvModels",           "constant/fvModels"},
   {"system/controlDict",                          "meshOnly",           "mesh/controlDict"},
@@ -53,6 +57,7 @@ constexpr CaseRow files[] = {
   {"system/fvSchemes",                            "meshOnly",           "mesh/fvSchemes"},
   {"system/fvSchemes",                            "",                   "system/fvSchemes"},
   {"system/fvSolution",                           "meshOnly",           "mesh/fvSolution"},
+  {"system/fvSolution",                           "warmAir",            "system/fvSolution.warmAir"},
   {"system/fvSolution",                           "",                   "system/fvSolution"},
   {"system/blockMeshDict",                        "emptyDomain",        "emptyDomain/blockMeshDict"},
   {"system/decomposeParDict",                     "parallel",           "system/decomposeParDict"},
@@ -82,6 +87,7 @@ constexpr CaseRow conditions[] = {
   {"p",                   "windBothWays",               "boundary/p/windBothWays"},
   {"p",                   "opening",                    "boundary/p/opening"},
   {"p",                   "outlet",                     "boundary/p/outlet"},
+  {"p",                   "warmAir ground|wall|roughWall", "boundary/p/wallOfWarmAir"},
   {"p",                   "",                           "boundary/zeroGradient"},
 
   {"k",                   "inletBySpeed|inletByFlow",   "boundary/k/inlet"},
@@ -113,6 +119,12 @@ constexpr CaseRow conditions[] = {
   {"age",                 "slip|ground|wall|roughWall", "boundary/zeroGradient"},
   {"age",                 "",                           "boundary/age/outlet"},
 
+  {"T",                   "surfaceSource",              "boundary/T/heatedSurface"},
+  {"T",                   "fixedTemperature",           "boundary/T/fixed"},
+  {"T",                   "windBothWays|opening|outlet", "boundary/T/opening"},
+  {"T",                   "slip|ground|wall|roughWall", "boundary/zeroGradient"},
+  {"T",                   "",                           "boundary/T/fixed"},
+
   {"scalar",              "surfaceSource",              "boundary/scalar/source"},
   {"scalar",              "slip|ground|wall|roughWall", "boundary/zeroGradient"},
   {"scalar",              "",                           "boundary/scalar/opening"},
@@ -126,12 +138,20 @@ constexpr CaseRow parts[] = {
   {"windProfile",      "opencfd-2006",        "boundary/windProfile.opencfd-2006"},
   {"windProfile",      "",                    "boundary/windProfile"},
 
+  {"application",      "transient",           "system/application.transient"},
   {"application",      "opencfd",             "system/application.opencfd"},
   {"application",      "foundation",          "system/application.foundation"},
   {"solver",           "opencfd",             "system/solver.opencfd"},
   {"solver",           "foundation",          "system/solver.foundation"},
   {"libraries",        "wind|leaves",         "system/libraries"},
+  {"timeControl",      "transient",           "system/timeControl.transient"},
+  {"timeControl",      "",                    "system/timeControl"},
+  {"divScheme",        "warmAir T",           "system/divScheme.T"},
   {"divScheme",        "",                    "system/divScheme"},
+  {"pressureGradient", "warmAir",             "system/pressureGradient"},
+  {"temperatureOfFaces", "warmAir",           "system/temperatureOfFaces"},
+  {"algorithm",        "transient",           "system/algorithm.transient"},
+  {"algorithm",        "",                    "system/algorithm.steady"},
   {"fieldSolver",      "age foundation-14",   "system/ageSolver.foundation-14"},
   {"scalarRelaxation", "",                    "system/scalarRelaxation"},
 
@@ -148,6 +168,18 @@ constexpr CaseRow parts[] = {
   {"average",          "foundation",          "functions/average.foundation"},
   {"ageFunction",      "ageOfAir opencfd",    "functions/age.opencfd"},
   {"ageFunction",      "ageOfAir foundation", "functions/age.foundation"},
+  {"youngOutdoors",    "outdoorsAtRest",      "functions/youngOutdoors"},
+  {"temperatureFunction", "",                 "functions/temperature"},
+  {"heatSource",       "",                    "functions/heatSource"},
+  {"faceHeat",         "",                    "functions/faceHeat"},
+  {"heatOfOpening",    "",                    "functions/heatOfOpening"},
+  {"heatOfPatch",      "",                    "functions/heatOfPatch"},
+  {"meanTemperature",  "",                    "functions/meanTemperature"},
+  {"meanOfAllTemperatures", "",               "functions/meanOfAllTemperatures"},
+  {"surfaceHeat",      "",                    "functions/surfaceHeat"},
+  {"heatOfSurface",    "",                    "functions/heatOfSurface"},
+  {"surfaceTemperature", "",                  "functions/surfaceTemperature"},
+  {"buoyancy",         "",                    "models/buoyancy"},
   {"scalarFunction",   "opencfd",             "functions/scalar.opencfd"},
   {"scalarFunction",   "foundation",          "functions/scalar.foundation"},
   {"scalarSource",     "opencfd",             "functions/scalarSource.opencfd"},

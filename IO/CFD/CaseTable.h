@@ -29,8 +29,9 @@ enum class FieldKind
 {
   Velocity,
   Turbulence,
-  Scalar, ///< carried along by the air
-  Derived ///< not carried by the air
+  Scalar,      ///< carried along by the air
+  Temperature, ///< the same, and moves the air
+  Derived      ///< not carried by the air
 };
 
 struct CaseField

@@ -29,6 +29,20 @@ constexpr int ageCorrectors = 200;
 constexpr double supplyIntensity = 0.05;
 constexpr double eddyShare = 0.07;
 
+/// Prandtl numbers of air: its own, and that of its eddies.
+constexpr double prandtlNumber = 0.71;
+constexpr double turbulentPrandtlNumber = 0.85;
+/// Turbulence of calm air: what comes in has little, and a run starts with more, as a model without any stays laminar.
+constexpr double calmK = 1e-4;       ///< m2/s2
+constexpr double calmEpsilon = 1e-5; ///< m2/s3
+constexpr double calmStart = 10.0;   ///< times these at the start
+/// Courant number of transient runs, and their steps, seconds.
+constexpr double courantNumber = 2.0;
+constexpr double firstStep = 0.01;
+constexpr double greatestStep = 1.0;
+/// Fields written in a transient run.
+constexpr int transientTimes = 10;
+
 /// Diffusivity of a scalar over the viscosity: of CO2 in air, and for the eddies, 1 over the Schmidt number of 0.7.
 constexpr double molecularDiffusivity = 1.0;
 constexpr double turbulentDiffusivity = 1.0 / 0.7;
@@ -77,6 +91,10 @@ Turbulence typicalTurbulence(const CaseOfDirection& flow)
       found = turbulenceOf(*supply, patch);
     }
   }
+  if (flow.settings.calm && !(most > 0.0))
+  {
+    return {calmK, calmEpsilon, calmEpsilon / (turbulenceCmu * calmK)};
+  }
   const WindProfile& wind = flow.settings.wind;
   const double z = wind.referenceHeight;
   return flow.isRoom() ? found : Turbulence{wind.kineticEnergy(), wind.dissipation(z), wind.specificDissipation(z)};
@@ -122,7 +140,7 @@ const char* factOf(const CaseOfDirection& flow, const PatchChoice& choice)
     case PatchRole::Inlet:
       return "windInlet";
     case PatchRole::InletOutlet:
-      return flow.isRoom() ? "opening" : "windBothWays";
+      return flow.hasWind() ? "windBothWays" : "opening";
     case PatchRole::Outlet:
       return "outlet";
     case PatchRole::Slip:
@@ -194,13 +212,17 @@ void addFacts(Filling& filling, const CaseOfDirection& flow)
   const FlowCaseSettings& settings = flow.settings;
   filling.facts = {factOf(settings.dialect), isFoundation(settings.dialect) ? "foundation" : "opencfd",
                    flow.isRoom() ? "room" : "wind", modelName(settings.turbulence)};
-  const std::pair<const char*, bool> others[] = {{"ageOfAir", settings.ageOfAir},
-                                                 {"fvModels", hasModels(flow)},
-                                                 {"fvOptions", !isFoundation(settings.dialect) && hasPorosity(flow)},
-                                                 {"leaves", flow.leavesMakeTurbulence()},
-                                                 {"pedestrians", !flow.probes.empty()},
-                                                 {"walls", !flow.walls().empty()},
-                                                 {"checkProfile", settings.checkProfile && !flow.isRoom()}};
+  const std::pair<const char*, bool> others[] = {
+      {"ageOfAir", settings.ageOfAir},
+      {"fvModels", hasModels(flow)},
+      {"fvOptions", !isFoundation(settings.dialect) && (hasPorosity(flow) || settings.warmAir)},
+      {"leaves", flow.leavesMakeTurbulence()},
+      {"warmAir", settings.warmAir},
+      {"transient", settings.transientDuration > 0.0},
+      {"outdoorsAtRest", settings.calm && flow.mesh.hasOutdoors},
+      {"pedestrians", !flow.probes.empty()},
+      {"walls", !flow.walls().empty()},
+      {"checkProfile", settings.checkProfile && flow.hasWind()}};
   for (const auto& [fact, isTrue] : others)
   {
     if (isTrue)
@@ -238,14 +260,31 @@ void addModel(Values& values, const CaseOfDirection& flow)
 void addStart(Values& values, const CaseOfDirection& flow)
 {
   const Turbulence typical = typicalTurbulence(flow);
+  const double factor = flow.settings.calm ? calmStart : 1.0;
   add(values, "initialVelocity", "uniform " + foamVector(Vec3::Zero()));
-  add(values, "initialEpsilon", "uniform " + foamNumber(typical.epsilon));
+  add(values, "initialK", "uniform " + foamNumber(factor * typical.k));
+  add(values, "initialEpsilon", "uniform " + foamNumber(factor * typical.epsilon));
   add(values, "initialOmega", "uniform " + foamNumber(typical.omega));
 }
 
-void addSchemes(Values& values, double worstAngle)
+/// Adds the properties of warm air and of its buoyancy.
+void addWarmAir(Values& values, const CaseOfDirection& flow)
 {
+  const WarmAir air = warmAirAt(flow.settings.outdoorTemperature);
+  add(values, "outdoorTemperature", flow.settings.outdoorTemperature);
+  add(values, "expansion", air.expansion);
+  add(values, "heatCapacity", air.heatCapacity);
+  add(values, "heatDiffusivity", 1.0 / prandtlNumber);
+  add(values, "turbulentHeatDiffusivity", 1.0 / turbulentPrandtlNumber);
+}
+
+void addSchemes(Values& values, const CaseOfDirection& flow)
+{
+  const double worstAngle = flow.mesh.worstNonOrthogonality;
   const OrthogonalityRule rule = ruleForAngle(worstAngle);
+  const bool isTransient = flow.settings.transientDuration > 0.0;
+  add(values, "timeScheme", isTransient ? "Euler" : "steadyState");
+  add(values, "convectionScheme", isTransient ? "Gauss" : "bounded Gauss");
   add(values, "worstAngle", worstAngle);
   add(values, "correction", rule.correction);
   add(values, "turbulenceCorrection", rule.turbulenceCorrection);
@@ -260,7 +299,19 @@ void addRun(Values& values, const CaseOfDirection& flow)
   const Box3& bounds = flow.mesh.bounds;
   add(values, "iterations", flow.settings.iterations);
   add(values, "iterationsBetweenFields", iterationsBetweenFields(flow.settings.iterations));
-  add(values, "averageStart", std::max(1, flow.settings.iterations * 4 / 5));
+  if (const double duration = flow.settings.transientDuration; duration > 0.0)
+  {
+    add(values, "duration", duration);
+    add(values, "firstStep", std::min(firstStep, duration));
+    add(values, "greatestStep", std::min(greatestStep, duration));
+    add(values, "courantNumber", courantNumber);
+    add(values, "timeBetweenFields", duration / transientTimes);
+    add(values, "averageStart", 0.8 * duration);
+  }
+  else
+  {
+    add(values, "averageStart", std::max(1, flow.settings.iterations * 4 / 5));
+  }
   add(values, "ageCorrectors", ageCorrectors);
   add(values, "lowestOfMesh", bounds.min[2]);
   add(values, "centerOfGround", Vec3(bounds.center()[0], bounds.center()[1], bounds.min[2]));
@@ -285,6 +336,8 @@ void addRoughness(Filling& filling, double roughness)
 }
 
 } // namespace
+
+std::array<double, 2> heatDiffusivities() { return {airViscosity / prandtlNumber, 1.0 / turbulentPrandtlNumber}; }
 
 std::vector<CaseField> fieldsOf(const CaseOfDirection& flow)
 {
@@ -367,7 +420,11 @@ Filling fillingOf(const CaseOfDirection& flow)
   }
   addModel(filling.values, flow);
   addStart(filling.values, flow);
-  addSchemes(filling.values, flow.mesh.worstNonOrthogonality);
+  if (flow.settings.warmAir)
+  {
+    addWarmAir(filling.values, flow);
+  }
+  addSchemes(filling.values, flow);
   addRun(filling.values, flow);
   if (flow.settings.processors > 1)
   {
@@ -392,7 +449,7 @@ void addPatch(Filling& filling, const CaseOfDirection& flow, const CasePatch& pa
     return addSupply(filling.values, patch, *choice.supply);
   }
   const bool takesWind = choice.role == PatchRole::Inlet || choice.role == PatchRole::InletOutlet;
-  if (takesWind && !flow.isRoom())
+  if (takesWind && flow.hasWind())
   {
     filling.facts.insert("windInlet");
     add(filling.values, "omegaOverHeight", omegaOverHeight(flow.settings.wind, patch));
@@ -430,6 +487,26 @@ void addBaffle(Filling& filling, const CaseBaffle& baffle)
   add(values, "secondAxis", directionAcross(baffle.normal));
   add(values, "steadyingInertia", 2.0 * baffle.resistance / baffle.cellWidth);
   add(values, "steadyingLinear", 2.0 * steepness(baffle) / (airDensity * airViscosity * baffle.cellWidth));
+}
+
+void addTemperatureAt(Filling& filling, const CaseOfDirection& flow, const CasePatch& patch)
+{
+  const CaseHeat& heat = flow.heat;
+  add(filling.values, "temperature", flow.settings.outdoorTemperature);
+  if (const auto source = heat.surfaces.find(patch.name); source != heat.surfaces.end())
+  {
+    filling.facts.insert("surfaceSource");
+    add(filling.values, "fluxOfHeat", source->second / patch.area);
+  }
+  if (const auto fixed = heat.temperatures.find(patch.name); fixed != heat.temperatures.end())
+  {
+    filling.facts.insert("fixedTemperature");
+    add(filling.values, "temperature", fixed->second);
+  }
+  if (const auto incoming = heat.incoming.find(patch.name); incoming != heat.incoming.end())
+  {
+    add(filling.values, "temperature", incoming->second);
+  }
 }
 
 void addScalarAt(Filling& filling, const CaseScalar& scalar, const CasePatch& patch)

@@ -5,6 +5,8 @@
 #include "CaseTable.h"
 #include "FlowCase.h"
 
+#include <array>
+
 namespace atria {
 
 /// A flow case for one wind direction, or for a room; its files are written from it.
@@ -18,6 +20,7 @@ struct CaseOfDirection
   std::vector<CaseScalar> scalars = {};
   std::vector<CaseCanopy> canopies = {};
   std::vector<CaseBaffle> baffles = {};
+  CaseHeat heat = {};
 
   std::vector<std::string> namesOf(PatchRole role) const;
   /// Returns the names of all walls but the ground.
@@ -30,6 +33,8 @@ struct CaseOfDirection
   /// True if the case has sources of turbulence by leaves: OpenFOAM has them in a variant of k-epsilon only.
   bool leavesMakeTurbulence() const { return !canopies.empty() && settings.turbulence == TurbulenceModel::KEpsilon; }
   bool isRoom() const { return settings.kind == FlowKind::Room; }
+  /// True for a case of wind that blows.
+  bool hasWind() const { return !isRoom() && !settings.calm; }
 };
 
 /// Schemes and correctors by the largest angle between a face's normal and the line between its cells, after common
@@ -52,6 +57,9 @@ OrthogonalityRule ruleForAngle(double worstNonOrthogonality);
 /// Returns OpenFOAM's name, which is also a fact.
 const char* modelName(TurbulenceModel model);
 
+/// Returns the diffusivities of heat in air at rest (m2/s), and over the viscosity of eddies.
+std::array<double, 2> heatDiffusivities();
+
 /// Returns the fields of a case: those of all cases, and its scalars. Some have no file.
 std::vector<CaseField> fieldsOf(const CaseOfDirection& flow);
 /// Returns the scalar of a field, or null.
@@ -66,6 +74,8 @@ void addPatch(Filling& filling, const CaseOfDirection& flow, const CasePatch& pa
 bool isSteadied(const CaseBaffle& baffle);
 /// Adds what the sides of a face zone and its model may name.
 void addBaffle(Filling& filling, const CaseBaffle& baffle);
+/// Adds what boundary conditions of a patch may name for the temperature.
+void addTemperatureAt(Filling& filling, const CaseOfDirection& flow, const CasePatch& patch);
 /// Adds what boundary conditions of a patch may name for a scalar.
 void addScalarAt(Filling& filling, const CaseScalar& scalar, const CasePatch& patch);
 

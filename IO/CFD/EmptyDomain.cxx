@@ -284,10 +284,12 @@ FlowCaseSettings settingsOf(const CaseOfDirection& flow)
   settings.processors = 1;
   settings.ageOfAir = false;
   settings.checkProfile = false;
-  // The channel carries no age and no scalars.
+  settings.warmAir = false;
+  settings.transientDuration = 0.0;
+  // The channel carries no age, no scalars and no heat.
   std::erase_if(settings.conditionRules, [](const ConditionRule& rule) {
     const auto found = std::ranges::find(caseFields(), rule.field, &CaseField::name);
-    return found == caseFields().end() || found->kind == FieldKind::Scalar;
+    return found == caseFields().end() || found->kind == FieldKind::Scalar || found->kind == FieldKind::Temperature;
   });
   return settings;
 }

@@ -172,11 +172,14 @@ std::optional<double> ownRoughnessUpstream(const PolyMesh& poly, const CaseOfDir
   return hasOwn ? roughnessUpstream(poly, flow) : std::nullopt;
 }
 
-/// Settles openings without faces and the scalars of a flow. Returns warnings of what may be wrong with its patches.
+/// Settles openings without faces, and the scalars and the heat of a flow. Returns warnings of what may be wrong with
+/// its patches.
 std::vector<std::string> settle(CaseOfDirection& flow)
 {
   std::vector<std::string> warnings = closeEmptyOpenings(flow);
   flow.scalars = caseScalars(flow.mesh, flow.settings, flow.choices);
+  flow.heat = caseHeat(flow.mesh, flow.settings, flow.choices);
+  std::ranges::copy(warnOfHeat(flow.heat, flow.settings.outdoorTemperature), std::back_inserter(warnings));
   std::ranges::copy(warnOfSheets(flow), std::back_inserter(warnings));
   std::ranges::copy(warnOfRoughness(flow), std::back_inserter(warnings));
   return warnings;
@@ -246,9 +249,13 @@ void settleKind(const CaseMesh& mesh, FlowCaseSettings& settings)
   {
     throw Error("a room has no wind: give no wind directions, or make a case of wind");
   }
+  if (settings.calm && !settings.directions.empty())
+  {
+    throw Error("Calm: the air has no wind, so give no wind directions");
+  }
   if (settings.directions.empty())
   {
-    settings.directions = {settings.kind == FlowKind::Room ? 0.0 : directionOfDomain(mesh)};
+    settings.directions = {settings.kind == FlowKind::Room || settings.calm ? 0.0 : directionOfDomain(mesh)};
   }
 }
 
@@ -275,6 +282,11 @@ bool dropEarlier(const fs::path& caseFolder, PolyMesh& poly)
       const std::string surface = surfaceFileOf({canopy.value("zone", "")});
       fs::remove(folder / surfaceFolder(OpenFOAMDialect::OpenCFD1912) / surface);
       fs::remove(folder / surfaceFolder(OpenFOAMDialect::Foundation) / surface);
+    }
+    if (earlier.contains("warm_air"))
+    {
+      fs::remove(folder / "0" / "T");
+      fs::remove(folder / "constant" / "g");
     }
     fs::remove(folder / "constant" / "fvOptions");
     fs::remove(folder / "constant" / "fvModels");
@@ -338,7 +350,7 @@ CaseOfDirection chosen(const CaseMesh& mesh, const FlowCaseSettings& settings, d
     flow.choices = chooseRoomPatches(mesh, settings);
     return flow;
   }
-  flow.wind = windVector(towards);
+  flow.wind = settings.calm ? Vec3(Vec3::Zero()) : windVector(towards);
   flow.choices = choosePatches(mesh, settings, flow.wind);
   return flow;
 }
@@ -370,7 +382,7 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
     canopies = d == 0 ? canopiesOfCase(poly, flow, written, treeReport, context) : canopies;
     flow.canopies = canopies;
     flow.baffles = baffles;
-    const std::optional<double> upstream = ownRoughnessUpstream(poly, flow);
+    const std::optional<double> upstream = flow.hasWind() ? ownRoughnessUpstream(poly, flow) : std::nullopt;
     upstreams.push_back({folders[d], upstream.value_or(settings.wind.roughness)});
     for (const std::string& name : inletsWithoutWind(mesh, settings, flow.choices, flow.wind))
     {
@@ -395,7 +407,7 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
     addProcessors(folder, folders[d] != ".", settings.processors);
     report["directions"].push_back(describeDirection(flow, settings.directions[d], folders[d]));
     removeEmptyDomain(folder);
-    if (settings.checkProfile && !flow.isRoom())
+    if (settings.checkProfile && flow.hasWind())
     {
       report["directions"].back()["empty_domain"] = writeEmptyDomain(folder, flow, upstream);
     }

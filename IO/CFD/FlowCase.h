@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Cases of steady wind around and through buildings, and of ventilated rooms, for simpleFoam.
+/// Cases of steady wind around and through buildings, of ventilated rooms, and of warm air, for simpleFoam; of air that
+/// varies, for pimpleFoam.
 #pragma once
 
 #include "CaseBaffles.h"
 #include "CaseCanopies.h"
+#include "CaseHeat.h"
 #include "CaseMesh.h"
 #include "CaseScalars.h"
 #include "OpenFOAMFile.h"
@@ -43,7 +45,7 @@ inline bool isFoundation(OpenFOAMDialect dialect)
 enum class FlowKind
 {
   Automatic, ///< Room if isRoom() says so, else Wind
-  Wind,      ///< the atmosphere's wind, which crosses the sides of the domain
+  Wind,      ///< the atmosphere's wind, which crosses the sides of the domain, or calm air in their place
   Room       ///< inlets that blow into a space between walls
 };
 
@@ -102,7 +104,7 @@ struct PatchRule
 struct ConditionRule
 {
   std::string pattern;
-  std::string field;   ///< U, p, k, epsilon, omega, nut, age, or a scalar
+  std::string field;   ///< U, p, k, epsilon, omega, nut, age, T, or a scalar
   std::string entries; ///< as in a dictionary, such as "type fixedValue; value uniform (1 0 0);"
 };
 
@@ -129,6 +131,14 @@ struct FlowCaseSettings
   std::filesystem::path treeFile; ///< see readTrees(); none if empty
   std::vector<ScreenRule> screenRules;
   std::vector<FanRule> fanRules;
+  bool warmAir = false;             ///< air has a temperature and rises where it is warm
+  double outdoorTemperature = 20.0; ///< degrees Celsius
+  std::vector<TemperatureRule> temperatureRules;
+  std::vector<HeatRule> heatRules;
+  /// Neither wind nor inlets move the air: sides and top of a domain are open, and so are inlets and outlets without a
+  /// supply, both ways.
+  bool calm = false;
+  double transientDuration = 0.0; ///< seconds; 0 is a steady run
   std::vector<PatchRule> patchRules;
   std::vector<ConditionRule> conditionRules;
 };
@@ -148,6 +158,7 @@ ConditionRule conditionRuleFrom(const std::string& text);
 /// - patches that face down (the sky) are slip;
 /// - patches that face up are ground if they are no wall, or a wall that reaches sides;
 /// - all others are walls.
+/// In calm air upright sides and the sky are open both ways, and so are inlets and outlets without a supply.
 /// Throws Error if a rule matches no patch, if no patch lets air in or if none lets it out.
 std::vector<PatchChoice> choosePatches(const CaseMesh& mesh, const FlowCaseSettings& settings, const Vec3& wind);
 
@@ -159,7 +170,8 @@ std::vector<PatchChoice> choosePatches(const CaseMesh& mesh, const FlowCaseSetti
 bool isRoom(const CaseMesh& mesh, const FlowCaseSettings& settings);
 
 /// Returns the role of every patch of a room. Without a rule, patches are inlets and outlets by their names, and all
-/// others walls. Each inlet has its supply. Throws Error if a rule matches no patch, if a rule makes a patch ground, if
+/// others walls. Each inlet has its supply; in calm air those without one of their own are open both ways, and so are
+/// outlets. Throws Error if a rule matches no patch, if a rule makes a patch ground, if
 /// no patch blows air in or if none lets it out.
 std::vector<PatchChoice> chooseRoomPatches(const CaseMesh& mesh, const FlowCaseSettings& settings);
 

@@ -70,6 +70,23 @@ PatchRole roleOf(const CasePatch& patch, const Vec3& wind)
   return up > mostlyOneWay ? PatchRole::Slip : up < -mostlyOneWay ? PatchRole::Ground : roleOfUpright(patch, wind);
 }
 
+/// Returns the role of a patch in calm air, where sides and the sky are open.
+PatchRole roleInCalm(const CasePatch& patch)
+{
+  const PatchRole role = roleOf(patch, Vec3::Zero());
+  return role == PatchRole::Slip ? PatchRole::InletOutlet : role;
+}
+
+/// Opens inlets without a supply and outlets both ways: in calm air nothing says which way the air goes.
+void openBothWays(std::vector<PatchChoice>& choices)
+{
+  for (PatchChoice& choice : choices)
+  {
+    const bool isOpening = choice.role == PatchRole::Inlet || choice.role == PatchRole::Outlet;
+    choice.role = isOpening && !choice.supply ? PatchRole::InletOutlet : choice.role;
+  }
+}
+
 /// Throws Error for a speed and a flow rate for the same patches: neither rule is meant to correct the other.
 void refuseTwoSupplies(const std::vector<PatchRule>& rules)
 {
@@ -154,8 +171,9 @@ std::vector<std::string> namesOf(const CaseMesh& mesh, const std::vector<PatchCh
   return names;
 }
 
-/// Throws Error unless a room has both an inlet and an outlet.
-void requireInletAndOutlet(const CaseMesh& mesh, const std::vector<PatchChoice>& choices)
+/// Throws Error unless a room has both an inlet and an outlet, or, in calm air, an opening.
+void requireInletAndOutlet(const CaseMesh& mesh, const std::vector<PatchChoice>& choices,
+                           const FlowCaseSettings& settings)
 {
   const std::vector<std::string> inlets = namesOf(mesh, choices, PatchRole::Inlet);
   std::vector<std::string> outlets = namesOf(mesh, choices, PatchRole::Outlet);
@@ -170,10 +188,11 @@ void requireInletAndOutlet(const CaseMesh& mesh, const std::vector<PatchChoice>&
     throw Error("no patch lets air out of the room: it has inlets only (" + joined(inlets) +
                 "). Name an outlet, such as PatchRules NAME outlet");
   }
-  if (inlets.empty())
+  if (inlets.empty() && !settings.calm)
   {
     throw Error("no patch blows air into the room: it has outlets only (" + joined(outlets) +
-                "), and nothing would flow. Name an inlet, such as PatchRules NAME inlet");
+                "), and nothing would flow. Name an inlet, such as PatchRules NAME inlet" +
+                (settings.warmAir ? "; or let warm air move by itself, Calm" : ""));
   }
 }
 
@@ -267,7 +286,12 @@ std::vector<PatchChoice> choosePatches(const CaseMesh& mesh, const FlowCaseSetti
   std::vector<PatchChoice> choices;
   for (std::size_t i = 0; i < mesh.patches.size(); ++i)
   {
-    choices.push_back(rules[i] ? rules[i]->choice : PatchChoice{roleOf(mesh.patches[i], wind), 0.0});
+    const PatchRole role = settings.calm ? roleInCalm(mesh.patches[i]) : roleOf(mesh.patches[i], wind);
+    choices.push_back(rules[i] ? rules[i]->choice : PatchChoice{role, 0.0});
+  }
+  if (settings.calm)
+  {
+    openBothWays(choices);
   }
   const auto has = [&](PatchRole role) {
     return std::any_of(choices.begin(), choices.end(), [&](const PatchChoice& choice) {
@@ -278,8 +302,13 @@ std::vector<PatchChoice> choosePatches(const CaseMesh& mesh, const FlowCaseSetti
   {
     if (!has(role))
     {
-      throw Error(std::string("no patch lets air ") + what + ": the mesh has no plane, upright side across the wind. " +
-                  "Name one, such as PatchRules NAME " + (role == PatchRole::Inlet ? "inlet" : "outlet") +
+      const bool isInlet = role == PatchRole::Inlet;
+      throw Error(std::string("no patch lets air ") + what + ": the mesh has no " +
+                  (settings.calm ? "upright side and no top. " : "plane, upright side across the wind. ") +
+                  "Name one, such as PatchRules NAME " +
+                  (settings.calm ? "inletOutlet"
+                   : isInlet     ? "inlet"
+                                 : "outlet") +
                   (wouldBeRoom(mesh, settings) ? "; without wind it is a room" : ""));
     }
   }
@@ -321,12 +350,16 @@ std::vector<PatchChoice> chooseRoomPatches(const CaseMesh& mesh, const FlowCaseS
       throw Error("a room has no ground with the roughness of the wind's profile: make '" + mesh.patches[i].name +
                   "' wall or rough:SIZE");
     }
-    if (choices[i].role == PatchRole::Inlet && !choices[i].supply)
+    if (choices[i].role == PatchRole::Inlet && !choices[i].supply && !settings.calm)
     {
       choices[i].supply = settings.supply;
     }
   }
-  requireInletAndOutlet(mesh, choices);
+  if (settings.calm)
+  {
+    openBothWays(choices);
+  }
+  requireInletAndOutlet(mesh, choices, settings);
   return choices;
 }
 

@@ -144,6 +144,44 @@ int vtkAtriaOpenFOAMCaseWriter::GetNumberOfFanRules() { return static_cast<int>(
 
 std::string vtkAtriaOpenFOAMCaseWriter::GetFanRule(int i) { return this->FanRules.at(static_cast<std::size_t>(i)); }
 
+void vtkAtriaOpenFOAMCaseWriter::AddTemperatureRule(const char* rule)
+{
+  this->TemperatureRules.emplace_back(rule ? rule : "");
+  this->Modified();
+}
+
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllTemperatureRules()
+{
+  this->TemperatureRules.clear();
+  this->Modified();
+}
+
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfTemperatureRules()
+{
+  return static_cast<int>(this->TemperatureRules.size());
+}
+
+std::string vtkAtriaOpenFOAMCaseWriter::GetTemperatureRule(int i)
+{
+  return this->TemperatureRules.at(static_cast<std::size_t>(i));
+}
+
+void vtkAtriaOpenFOAMCaseWriter::AddHeatRule(const char* rule)
+{
+  this->HeatRules.emplace_back(rule ? rule : "");
+  this->Modified();
+}
+
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllHeatRules()
+{
+  this->HeatRules.clear();
+  this->Modified();
+}
+
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfHeatRules() { return static_cast<int>(this->HeatRules.size()); }
+
+std::string vtkAtriaOpenFOAMCaseWriter::GetHeatRule(int i) { return this->HeatRules.at(static_cast<std::size_t>(i)); }
+
 void vtkAtriaOpenFOAMCaseWriter::AddPatchRule(const char* rule)
 {
   this->PatchRules.emplace_back(rule ? rule : "");
@@ -218,6 +256,8 @@ void vtkAtriaOpenFOAMCaseWriter::CheckProperties()
   atriaCheckRange(Dialect);
   atriaCheckRange(NumberOfIterations);
   atriaCheckRange(PedestrianHeight);
+  atriaCheckRange(OutdoorTemperature);
+  atriaCheckRange(TransientDuration);
   for (const double angle : this->WindAngles)
   {
     atria::checkRange("WindAngle", angle, -360.0, 360.0);
@@ -261,6 +301,18 @@ atria::FlowCaseSettings vtkAtriaOpenFOAMCaseWriter::GetSettings()
   {
     settings.fanRules.push_back(atria::fanRuleFrom(rule));
   }
+  settings.warmAir = this->WarmAir;
+  settings.outdoorTemperature = this->OutdoorTemperature;
+  for (const std::string& rule : this->TemperatureRules)
+  {
+    settings.temperatureRules.push_back(atria::temperatureRuleFrom(rule));
+  }
+  for (const std::string& rule : this->HeatRules)
+  {
+    settings.heatRules.push_back(atria::heatRuleFrom(rule));
+  }
+  settings.calm = this->Calm;
+  settings.transientDuration = this->TransientDuration;
   for (const std::string& rule : this->PatchRules)
   {
     settings.patchRules.push_back(atria::patchRuleFrom(rule));
@@ -375,6 +427,18 @@ void vtkAtriaOpenFOAMCaseWriter::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "FanRule: " << rule << "\n";
   }
+  os << indent << "WarmAir: " << (this->WarmAir ? "on" : "off") << "\n";
+  os << indent << "OutdoorTemperature: " << this->OutdoorTemperature << "\n";
+  for (const std::string& rule : this->TemperatureRules)
+  {
+    os << indent << "TemperatureRule: " << rule << "\n";
+  }
+  for (const std::string& rule : this->HeatRules)
+  {
+    os << indent << "HeatRule: " << rule << "\n";
+  }
+  os << indent << "Calm: " << (this->Calm ? "on" : "off") << "\n";
+  os << indent << "TransientDuration: " << this->TransientDuration << "\n";
   for (const std::string& rule : this->PatchRules)
   {
     os << indent << "PatchRule: " << rule << "\n";

@@ -267,6 +267,16 @@ public:
 
   ///@{
   /**
+   * The air has a temperature: it takes up heat, and rises where it is warmer than the air outdoors. Off by default.
+   * OpenCFD's dialects alone.
+   */
+  vtkSetMacro(WarmAir, bool);
+  vtkGetMacro(WarmAir, bool);
+  vtkBooleanMacro(WarmAir, bool);
+  ///@}
+
+  ///@{
+  /**
    * Fans in face zones, as `PATTERN PRESSURE` or `PATTERN FILE`: the pressure rise along the zone's normal in Pa, such
    * as `Fan 20`, or a table with lines of flow rate (m3/s, rising) and pressure (Pa, falling). Negative pressures blow
    * against the normal. The zones must be plane. The last of several rules for a zone holds. None by default.
@@ -275,6 +285,55 @@ public:
   void RemoveAllFanRules();
   int GetNumberOfFanRules();
   std::string GetFanRule(int i);
+  ///@}
+
+  ///@{
+  /**
+   * Temperature of the air outdoors, at the start and of what comes in, degrees Celsius. Default 20.
+   */
+  vtkAtriaSetInRangeMacro(OutdoorTemperature, double, -90.0, 60.0);
+  vtkGetMacro(OutdoorTemperature, double);
+  ///@}
+
+  ///@{
+  /**
+   * Temperatures of surfaces, or of the air that comes in at inlets and openings, as `PATTERN CELSIUS`. The last of
+   * several rules for a patch holds. None by default: no heat passes surfaces, and air comes in as outdoors.
+   */
+  void AddTemperatureRule(const char* rule);
+  void RemoveAllTemperatureRules();
+  int GetNumberOfTemperatureRules();
+  std::string GetTemperatureRule(int i);
+  ///@}
+
+  ///@{
+  /**
+   * Heat that the cell zones whose name matches give to the air, or else the surfaces, as `PATTERN AMOUNT`: `Office
+   * 600W` is the heat of all that match, `Floor 50W/m2` that of a square meter of surface. Negative heat cools. Several
+   * rules add up. None by default.
+   */
+  void AddHeatRule(const char* rule);
+  void RemoveAllHeatRules();
+  int GetNumberOfHeatRules();
+  std::string GetHeatRule(int i);
+  ///@}
+
+  ///@{
+  /**
+   * Neither wind nor inlets move the air, only warmth does: sides and top of the domain are open to air at rest, and so
+   * are a room's inlets and outlets. Needs WarmAir. Off by default.
+   */
+  vtkSetMacro(Calm, bool);
+  vtkGetMacro(Calm, bool);
+  vtkBooleanMacro(Calm, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Seconds that a transient run computes, from air at rest; 0, the default, is a steady run. Needs WarmAir.
+   */
+  vtkAtriaSetInRangeMacro(TransientDuration, double, 0.0, 1e6);
+  vtkGetMacro(TransientDuration, double);
   ///@}
 
   ///@{
@@ -293,7 +352,7 @@ public:
   ///@{
   /**
    * Conditions of patches in one field, as `PATTERN FIELD ENTRIES`, such as `Fan* U type fixedValue; value uniform (1 0
-   * 0);`. Fields are U, p, k, epsilon or omega, nut, age and scalars. None by default.
+   * 0);`. Fields are U, p, k, epsilon or omega, nut, age, T and scalars. None by default.
    */
   void AddConditionRule(const char* rule);
   void RemoveAllConditionRules();
@@ -369,6 +428,12 @@ private:
   char* TreeFile = nullptr;
   std::vector<std::string> ScreenRules;
   std::vector<std::string> FanRules;
+  bool WarmAir = false;
+  double OutdoorTemperature = 20.0;
+  std::vector<std::string> TemperatureRules;
+  std::vector<std::string> HeatRules;
+  bool Calm = false;
+  double TransientDuration = 0.0;
   std::vector<std::string> PatchRules;
   std::vector<std::string> ConditionRules;
   std::vector<std::string> GroundRules;
