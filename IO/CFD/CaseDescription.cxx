@@ -65,7 +65,7 @@ void describeWind(const WindProfile& wind, Json& report)
   report["friction_velocity"] = wind.frictionVelocity();
 }
 
-double speedInCalm(const CaseOfDirection& flow)
+double speedOfHeat(const CaseOfDirection& flow)
 {
   return speedOfWarmAir(flow.heat, flow.settings.outdoorTemperature, flow.mesh.bounds.size()[2]);
 }
@@ -73,14 +73,14 @@ double speedInCalm(const CaseOfDirection& flow)
 void describeRoom(const CaseOfDirection& flow, Json& report)
 {
   report["kind"] = "room";
-  report["reference_speed"] = suppliesOf(flow).empty() && flow.settings.calm ? speedInCalm(flow) : supplySpeed(flow);
+  report["reference_speed"] = suppliesOf(flow).empty() && flow.settings.calm ? speedOfHeat(flow) : supplySpeed(flow);
 }
 
 /// Describes a domain whose air only heat moves.
 void describeCalm(const CaseOfDirection& flow, Json& report)
 {
   report["kind"] = "calm";
-  report["reference_speed"] = speedInCalm(flow);
+  report["reference_speed"] = speedOfHeat(flow);
 }
 
 void describeHeat(const CaseOfDirection& flow, Json& report)
@@ -98,7 +98,8 @@ void describeHeat(const CaseOfDirection& flow, Json& report)
                         {"surfaces", flow.heat.surfaces},
                         {"temperatures", flow.heat.temperatures},
                         {"incoming", flow.heat.incoming},
-                        {"duration", settings.transientDuration}};
+                        {"duration", settings.transientDuration},
+                        {"speed", speedOfHeat(flow)}};
 }
 
 void describeScalars(const CaseOfDirection& flow, Json& report)

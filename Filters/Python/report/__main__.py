@@ -58,7 +58,7 @@ def main(given=None) -> int:
     try:
         climate = read_climate(options.climate) if options.climate else None
         case = Case(options.case)
-        if climate and options.station and not case.is_room:
+        if climate and options.station and case.has_wind:
             climate = at_reference(climate, *options.station, case.described)
         with noted() as errors:
             target.write_text(page_of(case, climate), encoding="utf-8")
@@ -74,6 +74,8 @@ def main(given=None) -> int:
         print(f"atria: warning: {title}: {failure}", file=sys.stderr)
     for run in case.runs:
         for doubt in run.profile.doubts() if run.profile else []:
+            print(f"atria: warning: {run.title}: {doubt}", file=sys.stderr)
+        for doubt in run.doubts_of_warmth():
             print(f"atria: warning: {run.title}: {doubt}", file=sys.stderr)
     for error in errors:
         print(f"atria: error: {target} lacks a part: {error}", file=sys.stderr)

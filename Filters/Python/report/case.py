@@ -16,6 +16,7 @@ from . import results, speeds
 from .fields import Fields
 from .profile import Profile
 from .results import History
+from .warmth import Warmth
 
 OUTSIDE = "outside"
 # As OpenFOAM's atmospheric conditions have it.
@@ -25,6 +26,9 @@ MOST_Y_PLUS = 300.0
 # Speeds are nothing below this share of the reference speed, and flows below the same share of what it drives through the
 # patches that let air in and out.
 _NOTHING = 1e-6
+# Plumes are this much faster close to their sources than the speed that a case says for the heat in all its height: a plume's
+# speed goes with the cube root of the height, and its middle has some five times the scale.
+PLUME = 10.0
 # Where no place of a probe is, OpenFOAM writes a number larger than this.
 _NOWHERE = 1e100
 
@@ -73,13 +77,15 @@ class Run:
         self.origin, self.towards, self.roles = direction.origin, direction.towards, direction.roles
         self.areas = direction.areas
         self.profile = Profile(self.folder, direction.empty_domain) if direction.empty_domain else None
-        log = next((self.folder / name for name in ("log.simpleFoam", "log.foamRun") if (self.folder / name).exists()), None)
+        log = next((self.folder / name for name in ("log.simpleFoam", "log.pimpleFoam", "log.foamRun") if (self.folder / name).exists()), None)
         self.log = results.read_log(log) if log else None
         sides = [patch for patch, role in self.roles.items() if role in ("inlet", "outlet", "inletOutlet")]
         flows = {patch: results.read_flow(self.folder, "flow_" + patch) for patch in sides}
         self.flows = {patch: flow for patch, flow in flows.items() if flow is not None}
         self.carried = {scalar: self._read_carried(scalar) for scalar in case.scalars}
         self.openings = results.read_openings(self.folder, case.openings)
+        warm = case.described.get("warm_air")
+        self.warmth = Warmth(self.folder, warm, self.flows, [o.name for o in self.openings], case.volumes) if warm else None
         self.forces = results.read_columns(self.folder / "postProcessing" / "forces", "force.dat", 3)
         self.y_plus = results.read_y_plus(self.folder / "postProcessing" / "yPlus")
 
@@ -109,7 +115,7 @@ class Run:
 
     @property
     def title(self):
-        return "room" if self.case.is_room else f"wind from {self.origin:g}°"
+        return "room" if self.case.is_room else f"wind from {self.origin:g}°" if self.case.has_wind else "calm air"
 
     @property
     def ran(self):
@@ -123,7 +129,7 @@ class Run:
     @functools.cached_property
     def way(self):
         """Where the wind blows to, or most of the air of a room's inlets; level, of length 1."""
-        if not self.case.is_room:
+        if self.case.has_wind:
             return numpy.array([math.cos(math.radians(self.towards)), math.sin(math.radians(self.towards)), 0.0])
         way = sum((speeds.driven(self.fields.patches[name]) for name in self.inlets()), numpy.zeros(3))
         way[2] = 0.0
@@ -198,9 +204,24 @@ class Run:
         rows += [Judged(f"flow through {name}", flow, incoming, "m³/s") for name, flow in self.flows.items()]
         size = max((abs(force.last()) for force in self.forces), default=0.0)
         rows += [Judged(f"force along {axis}", force, size, "N") for axis, force in zip("xyz", self.forces)]
+        if self.warmth:
+            rows += self._judged_warmth()
         if (speed := self.speed()) is not None:
             rows.append(Judged("speed at pedestrian height", speed, speed.last(), "m/s"))
         return rows
+
+    def _judged_warmth(self):
+        """Rooms and the heat that leaves, both against what sources make."""
+        warmth = self.warmth
+        rise = max((abs(mean.last() - warmth.outdoors) for mean in warmth.rooms.values()), default=0.0)
+        yield from (Judged(f"temperature of {room}", mean, rise, "°C") for room, mean in warmth.rooms.items())
+        if (out := results.summed(warmth.out.values())) is not None:
+            yield Judged("heat out of the domain", out, max(abs(out.last()), abs(warmth.heat_in())), "W")
+
+    def doubts_of_warmth(self):
+        """What not to believe of a run with warm air, in words."""
+        flows = {o.name: o.both for o in self.openings} or self.flows
+        return self.warmth.doubts(self.log.residuals, flows) if self.warmth and self.ran else []
 
     def imbalance(self):
         """What is missing between the flows into the domain and out of it, relative; None where not measured."""
@@ -235,7 +256,7 @@ class Run:
             return ["the run blew up: residuals are no numbers"]
         if still := self.stillness():
             return [still]
-        found = speeds.impossible(self.fields, self.roles, self.case.top_speed)
+        found = speeds.impossible(self.fields, self.roles, self.case.top_speed, self.case.warm_speed)
         return [found] if found else []
 
     def doubts(self):
@@ -243,6 +264,7 @@ class Run:
         if not self.ran:
             return []
         found = [] if self.log.ended else [f"the run did not end: see {self.log.file}"]
+        found += self.doubts_of_warmth()
         unsettled = [judged.name for judged in self.judged() if judged.verdict == results.UNSETTLED]
         if unsettled:
             found.append(f"not settled: {', '.join(unsettled)}. Run more iterations; if they go on to swing, the flow is not "
@@ -276,16 +298,22 @@ class Case:
             directions = [Direction.read(entry) for entry in self.described["directions"]]
             self.scalars = [scalar["name"] for scalar in self.described.get("scalars", [])]
             self.is_room = self.described.get("kind", "wind") == "room"
-            if not self.is_room and any(direction.origin is None or direction.towards is None for direction in directions):
+            self.has_wind = self.described.get("kind", "wind") == "wind"
+            if self.has_wind and any(direction.origin is None or direction.towards is None for direction in directions):
                 raise KeyError("from, towards")
         except (AttributeError, KeyError, TypeError, ValueError) as error:
             raise Error(f"{file}: {error!r} is missing or wrong; make the case anew with `atria case`") from None
         self.runs = [Run(self, direction) for direction in directions]
 
     @property
+    def warm_speed(self):
+        """Of air that rises close to sources of heat; 0 without any."""
+        return PLUME * float(self.described["warm_air"]["speed"]) if "warm_air" in self.described else 0.0
+
+    @property
     def top_speed(self):
-        """Of the wind at the domain's top, or of the air from a room's inlets."""
-        if self.is_room:
+        """Of the wind at the domain's top, of the air from a room's inlets, or of what heat moves."""
+        if not self.has_wind:
             return self.speed
         roughness = self.described["roughness_length"]
         height = self.mesh["bounds"][5] - self.mesh["bounds"][4]

@@ -84,13 +84,25 @@ def doubts(case, climate):
         found += [prefix + doubt for doubt in run.profile.doubts()] if run.profile else []
     found += ["mesh: " + doubt for doubt in _doubts_of_mesh(case)]
     found += ["comfort: " + doubt for doubt in _doubts_of_comfort(case, climate)] if climate else []
-    if case.is_room:
+    if case.described.get("warm_air"):
+        found += _doubts_of_warm_air(case)
+    elif case.is_room:
         found.append("model: the air has one temperature. Warm and cold air, which often moves more in a room than inlets do, is "
                      "left out; and steady Reynolds-averaged flow smooths jets that swing")
+        return _doubts_as_list(found)
+    if not case.has_wind:
         return _doubts_as_list(found)
     found.append("model: steady Reynolds-averaged flow has the speeds of wakes and of lee sides too low, whatever the mesh, and "
                  "knows no exchange through an opening by turbulence alone: single-sided ventilation comes out too small")
     return _doubts_as_list(found)
+
+
+def _doubts_of_warm_air(case):
+    yield ("model: k and epsilon know nothing of buoyancy, so layers of warm and cold air mix more than they do, and walls take no "
+           "heat by radiation")
+    if any(run.warmth.given for run in case.runs):
+        yield ("model: surfaces with a temperature give the air about a third of the heat that free convection takes from them; give "
+               "their heat in W where it is known")
 
 
 def _doubts_as_list(found):
@@ -120,6 +132,9 @@ def _room_rows(case, run, fields):
         if case.described.get("age_of_air"):
             age = fields.mean(room, "age") if fields else None
             row.append(_number(None if age is None else age / 60.0))
+        if run.warmth:
+            mean = run.warmth.rooms.get(room)
+            row += [_number(mean.last() if mean else None, 4)]
         for scalar in case.scalars:
             row += _concentration(run, scalar, fields.mean(room, scalar) if fields else None)[:2 if case.is_room else 1]
         yield [*row, ", ".join(html.escape(o.name) for o in joining)]
@@ -133,18 +148,24 @@ def _concentration(run, scalar, mean):
 def _rooms_of(case, run, fields):
     head = ["room", "volume, m³", "air in, m³/s", "of it from outside", "air changes per hour"]
     head += ["mean age of air, min"] if case.described.get("age_of_air") else []
+    head += ["mean temperature, °C"] if run.warmth else []
     head += [title for scalar in case.scalars for title in (f"mean {scalar}", f"effectiveness for {scalar}")[:2 if case.is_room else 1]]
     text = _table([*head, "openings"], _room_rows(case, run, fields), "words")
-    return text + _table(("opening", "area, m²", "most air goes", "this way, m³/s", "back, m³/s", "mean speed through it, m/s"),
-                         map(_opening_row, run.openings))
+    head = ["opening", "area, m²", "most air goes", "this way, m³/s", "back, m³/s", "mean speed through it, m/s"]
+    head += ["heat carried this way, W"] if run.warmth else []
+    return text + _table(head, [_opening_row(opening, run.warmth) for opening in run.openings])
 
 
-def _opening_row(opening):
+def _opening_row(opening, warmth):
     ways = [(opening.forward(), opening.rooms), (opening.backward(), opening.rooms[::-1])]
     (most, rooms_), (least, _) = sorted(ways, key=lambda way: -way[0])
     speed = opening.both.last() / opening.area if opening.area > 0 else None
     way = html.escape(f"{rooms_[0]} → {rooms_[1]}")
-    return (html.escape(opening.name), f"{opening.area:.3g}", way, _number(most), _number(least), _number(speed))
+    row = [html.escape(opening.name), f"{opening.area:.3g}", way, _number(most), _number(least), _number(speed)]
+    if warmth:
+        heat = warmth.openings.get(opening.name)
+        row.append(_number(heat.last() * (1.0 if rooms_ == opening.rooms else -1.0) if heat else None, 4))
+    return row
 
 
 def _passage_rows(run):
@@ -178,6 +199,35 @@ def _facts_of_scalars(case, run, fields):
     for scalar in case.scalars if fields else ():
         mean, effectiveness = _concentration(run, scalar, fields.mean_everywhere(scalar))
         yield f"its mean {scalar} is {mean}, and the ventilation is {effectiveness} times as effective as with mixed air"
+
+
+def _heat_rows(run):
+    warmth = run.warmth
+    yield from ((html.escape(name), "given", _number(watts, 4)) for name, watts in warmth.sources.items())
+    yield from ((html.escape(name), f"surface of {warmth.given[name]:g} °C", _number(heat.last(), 4))
+                for name, heat in warmth.surfaces.items())
+    yield from ((html.escape(name), "carried by the air", _number(-heat.last(), 4)) for name, heat in warmth.out.items())
+
+
+def _heat_of(run):
+    warmth, missing = run.warmth, run.warmth.imbalance()
+    text = _table(("from", "", "heat into the air, W"), _heat_rows(run))
+    facts = [f"outdoors {warmth.outdoors:g} °C"]
+    if warmth.everywhere:
+        facts.append(f"all air of the mesh {warmth.everywhere.last():.4g} °C on average")
+    facts += [f"surface of {html.escape(name)} {celsius.last():.4g} °C" for name, celsius in warmth.walls.items()]
+    if missing is not None:
+        facts.append(f"<b>{warmth.heat_in():.4g}</b> W come in and <b>{warmth.heat_out():.4g}</b> W leave, a difference of "
+                     f"{100 * missing:.2g} %")
+    return text + f"<p>{'; '.join(facts)}.</p>"
+
+
+def heat(case):
+    """Where heat comes from and where it goes, relative to the air outdoors."""
+    ran = [run for run in case.runs if run.warmth and run.ran]
+    if not ran:
+        return ""
+    return "<h2>Heat</h2>" + "".join(_folded(run.title, _heat_of(run), len(case.runs) > 1) for run in ran)
 
 
 def rooms(case, fields_of):
@@ -214,7 +264,8 @@ def pictures_of(case, view, ratios, fields_of):
         lines = view.lines(walls) if view.flat and walls else ()
         arrows = view.arrows(fields.mesh, fields.velocity) if view.flat and len(case.runs) == 1 else ()
         text.append(charts.figure(charts.plot(charts.colored(view.image(ratio), 0.0, high), lines, arrows), run.title))
-    unit = (f"of the mean speed at the inlets, {case.speed:.3g} m/s" if case.is_room else
+    unit = (f"of a typical speed of warm air, {case.speed:.3g} m/s" if case.described.get("calm") else
+            f"of the mean speed at the inlets, {case.speed:.3g} m/s" if case.is_room else
             f"of the reference speed, {case.speed:g} m/s at {case.described['reference_height']:g} m")
     text += ["</div>", charts.color_bar(0.0, high, unit), *_scalar_pictures(case, view, fields_of, above), "<h2>The flow</h2>"]
     several = len(case.runs) > 1
@@ -236,7 +287,7 @@ def _scalar_pictures(case, view, fields_of, above):
 def _flow(case, run, fields):
     high = pictures.fastest_near(run, fields, case)
     text = ['<div class="row">', *pictures.level_plots(run, fields, high), *pictures.wind_plot(run, fields, case, high), "</div>",
-            charts.color_bar(0.0, high, "m/s; arrows are the flow in the section")]
+            charts.color_bar(0.0, high, "m/s; arrows are the flow in the section"), *pictures.temperatures(run, fields, case)]
     if case.is_room:  # walls hide what is in it
         return "\n".join(text)
     picture = pictures.in_space(run, fields, high)
@@ -258,7 +309,7 @@ def _class_figure(title, words, found, view, lines):
 
 
 def comfort_of(case, view, ratios, fields_of, climate):
-    if case.is_room:
+    if not case.has_wind:
         return ""
     text = "<h2>Wind comfort</h2>"
     if climate is None:
@@ -286,7 +337,7 @@ def mesh_and_wind(case):
     rows = [("cells", f"{mesh['cells']:,}"), ("worst non-orthogonality", f"{mesh['worst_non_orthogonality']:.1f}°"),
             ("mean non-orthogonality", f"{mesh['mean_non_orthogonality']:.1f}°"), ("worst skewness", f"{mesh['worst_skewness']:.2f}"),
             ("failed checks of checkMesh", mesh["failed_checks"]), ("turbulence", html.escape(described["turbulence"]))]
-    if case.is_room:
+    if not case.has_wind:
         return "<h2>Mesh</h2>" + _table(("", ""), rows)
     rows += [("wind", f"{case.speed:g} m/s at {described['reference_height']:g} m"),
             ("roughness length", f"{described['roughness_length']:g} m"),
@@ -330,8 +381,9 @@ def _converged(run):
     text += _table(("initial residual of", "mean of the last fifth", ""), residuals)
     lines = [(name, history.times, history.values) for name, history in run.log.residuals.items()]
     drawn = [(j.name, j.history.times, j.history.values / j.scale) for j in run.judged()[:MOST_LINES] if j.scale > 0]
-    iterations = max((int(h.times[-1]) for h in run.log.residuals.values()), default=0)
-    facts = f"<p>{iterations} iterations" + (f", {run.log.seconds:,.0f} s of processor time" if run.log.seconds else "")
+    last = max((h.times[-1] for h in run.log.residuals.values()), default=0.0)
+    length = f"{last:g} s" if run.warmth and run.warmth.duration > 0 else f"{int(last)} iterations"
+    facts = f"<p>{length}" + (f", {run.log.seconds:,.0f} s of processor time" if run.log.seconds else "")
     if (missing := run.imbalance()) is not None:
         facts += f"; flows into the domain and out of it differ by {100 * missing:.2g} %"
     return (facts + ".</p>" + '<div class="row">' + charts.line_chart("Initial residuals", lines, logarithmic=True)
@@ -359,14 +411,15 @@ def _sampled(case):
 
 def page_of(case, climate=None) -> str:
     """HTML that needs no other file. `climate` are sectors at the case's reference height, as `comfort` reads them."""
-    if case.is_room and climate:
-        raise Error(f"{case.folder} is a room, which has no wind: leave the climate out")
+    if climate and not case.has_wind:
+        raise Error(f"{case.folder} is {'a room' if case.is_room else 'calm air'}, which has no wind: leave the climate out")
     fields_of, view, ratios = _sampled(case)
-    title = html.escape(f"{'Room' if case.is_room else 'Wind case'} {case.folder.resolve().name}")
+    title = html.escape(f"{'Room' if case.is_room else 'Wind case' if case.has_wind else 'Calm air'} {case.folder.resolve().name}")
     return "\n".join([
         f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>{_STYLE}</style></head>',
         f"<body><h1>{title}</h1>",
         rooms(case, fields_of),
+        heat(case),
         doubts(case, climate),
         pictures_of(case, view, ratios, fields_of),
         comfort_of(case, view, ratios, fields_of, climate),

@@ -83,6 +83,12 @@ def speed_plot(section, fields, walls, high, arrows=True):
                        section.arrows(fields.mesh, fields.velocity) if arrows else ())
 
 
+def temperature_plot(section, fields, walls, low, high):
+    """A section with its temperatures, walls and directions."""
+    colors = charts.colored(section.image(section.sample(fields.mesh, "T")), low, high)
+    return charts.plot(colors, section.lines(walls) if walls else (), section.arrows(fields.mesh, fields.velocity))
+
+
 def level_sections(run, fields):
     """Level sections through rooms that cut all upright openings, from the lowest."""
     openings = _openings(run, fields)
@@ -112,11 +118,8 @@ def _largest(run, fields):
     return (largest.name, fields.face_zones[largest.name]) if largest else None
 
 
-def wind_plot(run, fields, case, high):
-    """The upright section along the wind, or along the air from a room's inlets."""
-    walls = walls_of(run, fields)
-    if not walls:
-        return []
+def _upright_section(run, fields, case, walls):
+    """The section along the wind, or along the air from a room's inlets, and what it goes through."""
     largest = _largest(run, fields)
     place = box_of([largest[1]] if largest else walls)
     middle = numpy.array([(place[0] + place[1]) / 2, (place[2] + place[3]) / 2, 0.0])
@@ -128,9 +131,29 @@ def wind_plot(run, fields, case, high):
     corner[2] = case.mesh["bounds"][4]
     top = min(box[5] + margin * height, case.mesh["bounds"][5])
     section = Section(corner, run.way, (0, 0, 1), (last - first, top - corner[2]))
-    along = "along the air from the inlets" if case.is_room else "along the wind"
-    caption = f"speed {along}, through " + (largest[0] if largest else "the middle of the walls")
-    return [charts.figure(speed_plot(section, fields, walls, high), caption)]
+    along = "along the wind" if case.has_wind else "along the air from the inlets" if run.inlets() else "upright"
+    return section, f"{along}, through " + (largest[0] if largest else "the middle of the walls")
+
+
+def wind_plot(run, fields, case, high):
+    """The upright section along the wind, or along the air from a room's inlets."""
+    walls = walls_of(run, fields)
+    if not walls:
+        return []
+    section, where = _upright_section(run, fields, case, walls)
+    return [charts.figure(speed_plot(section, fields, walls, high), f"speed {where}")]
+
+
+def temperatures(run, fields, case):
+    """The upright section with its temperatures, and their scale."""
+    walls = walls_of(run, fields)
+    if not walls or not run.warmth or not fields.mesh.GetCellData().HasArray("T"):
+        return []
+    section, where = _upright_section(run, fields, case, walls)
+    found = section.sample(fields.mesh, "T")
+    low, high = (float(numpy.nanpercentile(found, share)) for share in (0.5, 99.5))
+    return ['<div class="row">', charts.figure(temperature_plot(section, fields, walls, low, high), f"temperature {where}"), "</div>",
+            charts.color_bar(low, high, "°C; arrows are the flow in the section")]
 
 
 def _named(surfaces, array):

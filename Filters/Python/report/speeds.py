@@ -69,10 +69,11 @@ def _place(mesh, cell):
     return "({})".format(", ".join(f"{x:.4g}" for x in points.mean(axis=0)))
 
 
-def impossible(fields, roles, wind) -> str | None:
-    """What no wind has, in words; None where all is well. `roles` are those of patches, `wind` is the case's at the top."""
+def impossible(fields, roles, wind, warm=0.0) -> str | None:
+    """What no wind has, in words; None where all is well. `roles` are those of patches, `wind` is the case's at the top, `warm`
+    the speed of what rises by itself."""
     # The air may leave through all inlets, too, where it should come in.
-    limit = MOST * (driving(fields, roles) or wind)
+    limit = MOST * max(driving(fields, roles) or wind, warm)
     found = None
     for name in FIELDS:
         array = fields.mesh.GetCellData().GetArray(name)
