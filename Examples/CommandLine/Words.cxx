@@ -102,7 +102,8 @@ constexpr std::array optionOf{
     std::pair{"TemperatureRules", "--temperature"},
     std::pair{"HeatRules", "--heat"},
     std::pair{"by itself, Calm", "by itself, --calm"},
-    std::pair{"Calm:", "--calm:"},
+    std::pair{"for Calm", "for --calm"},
+    std::pair{"Calm is", "--calm is"},
     std::pair{"TransientDuration", "--transient"},
     std::pair{"by Seeds", "by --seed"},
 };

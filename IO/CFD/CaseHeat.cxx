@@ -123,8 +123,8 @@ void refuseWithoutWarmAir(const FlowCaseSettings& settings)
   {
     if (isGiven)
     {
-      throw Error(std::string(what) +
-                  ": the case has no warm air. Set WarmAir and OutdoorTemperature, degrees Celsius");
+      throw Error(std::string("there is no warm air for ") + what +
+                  ": set WarmAir and OutdoorTemperature, degrees Celsius");
     }
   }
 }

@@ -181,7 +181,10 @@ std::vector<std::string> settle(CaseOfDirection& flow)
   flow.heat = caseHeat(flow.mesh, flow.settings, flow.choices);
   std::ranges::copy(warnOfHeat(flow.heat, flow.settings.outdoorTemperature), std::back_inserter(warnings));
   std::ranges::copy(warnOfSheets(flow), std::back_inserter(warnings));
-  std::ranges::copy(warnOfRoughness(flow), std::back_inserter(warnings));
+  if (flow.hasWind())
+  {
+    std::ranges::copy(warnOfRoughness(flow), std::back_inserter(warnings));
+  }
   return warnings;
 }
 
@@ -251,7 +254,7 @@ void settleKind(const CaseMesh& mesh, FlowCaseSettings& settings)
   }
   if (settings.calm && !settings.directions.empty())
   {
-    throw Error("Calm: the air has no wind, so give no wind directions");
+    throw Error("Calm is without wind: give no wind directions");
   }
   if (settings.directions.empty())
   {

@@ -99,6 +99,11 @@ protected:
       {
         addCase(dialect, model, atria::FlowKind::Wind, choices);
         addCase(dialect, model, atria::FlowKind::Room, choices);
+        if (!atria::isFoundation(dialect))
+        {
+          addWarmCase(dialect, model, choices, 0.0);
+          addWarmCase(dialect, model, choices, 60.0);
+        }
       }
     }
   }
@@ -131,6 +136,24 @@ protected:
     }
   }
 
+  /// Calm and warm air in a domain whose outdoors are a cell zone.
+  void addWarmCase(OpenFOAMDialect dialect, TurbulenceModel model, std::vector<atria::PatchChoice> choices,
+                   double duration)
+  {
+    atria::FlowCaseSettings& made = settings.emplace_back();
+    made.dialect = dialect;
+    made.turbulence = model;
+    made.kind = atria::FlowKind::Wind;
+    made.ageOfAir = true;
+    made.warmAir = true;
+    made.calm = duration > 0.0;
+    made.transientDuration = duration;
+    choices.insert(choices.end(), 3, {PatchRole::Ground});
+    mesh.hasOutdoors = true;
+    flows.push_back({mesh, made, atria::Vec3(made.calm ? 0 : 1, 0, 0), choices, {atria::Vec3(1, 1, 1)}});
+    flows.back().heat = {{{"hall", 600.0}}, {{"side3", 50.0}}, {{"side4", 30.0}}, {{"side0", 25.0}}};
+  }
+
   /// Returns what the boundary conditions of all patches of a case are filled with.
   static std::vector<Filling> fillingsOfPatches(const atria::CaseOfDirection& flow)
   {
@@ -148,7 +171,8 @@ protected:
     std::vector<Filling> fillings;
     for (const atria::CaseOfDirection& flow : flows)
     {
-      for (const char* fact : {"meshOnly", "rose", "bothWays", "age", "checkProfile", "emptyDomain", "surfaceSource"})
+      for (const char* fact :
+           {"meshOnly", "rose", "bothWays", "age", "checkProfile", "emptyDomain", "surfaceSource", "T"})
       {
         fillings.push_back(atria::fillingOf(flow));
         fillings.back().facts.insert(fact);
@@ -162,6 +186,11 @@ protected:
       fillings.insert(fillings.end(), patches.begin(), patches.end());
       for (std::size_t i = 0; i < patches.size(); ++i)
       {
+        if (flow.settings.warmAir)
+        {
+          fillings.push_back(patches[i]);
+          atria::addTemperatureAt(fillings.back(), flow, flow.mesh.patches[i]);
+        }
         for (const atria::CaseScalar& scalar : flow.scalars)
         {
           fillings.push_back(patches[i]);

@@ -46,9 +46,9 @@ class Warmth:
         self.openings = self._known({name: self._through_opening(name) for name in openings})
         self.out = self._known({name: self._out_of_domain(name, flow) for name, flow in flows.items()})
         self.surfaces = self._known({name: self._of_surface(name) for name in self.given})
-        self.rooms = self._known({name: self._mean("meanT_" + name, "volFieldValue.dat") for name in rooms})
-        self.walls = self._known({name: self._mean("temperature_" + name) for name in described["surfaces"]})
-        self.everywhere = self._mean("meanT", "volFieldValue.dat")
+        self.rooms = self._known({name: self._column("meanT_" + name, "volFieldValue.dat") for name in rooms})
+        self.walls = self._known({name: self._column("temperature_" + name) for name in described["surfaces"]})
+        self.everywhere = self._column("meanT", "volFieldValue.dat")
 
     @staticmethod
     def _known(found):
@@ -57,7 +57,7 @@ class Warmth:
     def _columns(self, function, count, name="surfaceFieldValue.dat"):
         return results.read_columns(self._folder / function, name, count)
 
-    def _mean(self, function, name="surfaceFieldValue.dat"):
+    def _column(self, function, name="surfaceFieldValue.dat"):
         columns = self._columns(function, 1, name)
         return columns[0] if columns else None
 
@@ -79,13 +79,13 @@ class Warmth:
         return self._combined([*here, *both], heat) if len(here) == len(both) == 2 else None
 
     def _out_of_domain(self, name, flow):
-        return self._combined([self._mean("heat_" + name), flow],
+        return self._combined([self._column("heat_" + name), flow],
                               lambda carried, passing: self._capacity * (carried - self.outdoors * passing))
 
     def _of_surface(self, name):
-        columns = self._columns("heat_" + name, 2)
         still, eddies = self._diffusivities
-        return self._combined(columns, lambda gradient, turbulent: self._capacity * (still * gradient + eddies * turbulent))
+        return self._combined([self._column("heat_" + name), self._column("heatByEddies_" + name)],
+                              lambda gradient, turbulent: self._capacity * (still * gradient + eddies * turbulent))
 
     def heat_in(self):
         """Of all sources and surfaces, W."""

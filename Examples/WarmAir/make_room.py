@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes room.obj: a room with an opening low in one wall and one high in the wall opposite, and a small box on its floor that is
+to be a cell zone.
+
+Lengths are in meters, Z is up. Walls and ceiling are sheets without thickness. The floor is the bottom of the domain.
+
+Usage: make_room.py FILE.obj
+"""
+
+import pathlib
+import sys
+
+LENGTH, WIDTH, HEIGHT = 4.0, 3.0, 4.0
+LOWER, UPPER = (1.0, 0.2, 2.0, 0.6), (1.0, 3.4, 2.0, 3.8)  # y0 z0 y1 z1, in the walls at x = 0 and x = LENGTH
+SOURCE = ((1.9, 2.1), (1.4, 1.6), (0.1, 0.3))
+DOMAIN = ((-8.0, 12.0), (-8.0, 11.0), (0.0, 14.0))
+PLUME = ((1.5, 2.5), (1.0, 2.0), (0.0, 4.0))  # where elements are finest around the source
+
+
+def wall_with_opening(x, opening):
+    y0, z0, y1, z1 = opening
+    ys, zs = (0.0, y0, y1, WIDTH), (0.0, z0, z1, HEIGHT)
+    parts = [(ys[i], ys[i + 1], zs[j], zs[j + 1]) for i in range(3) for j in range(3) if (i, j) != (1, 1)]
+    return [[(x, a, low), (x, b, low), (x, b, high), (x, a, high)] for a, b, low, high in parts]
+
+
+def box(bounds):
+    points = [tuple(bounds[axis][i >> axis & 1] for axis in range(3)) for i in range(8)]
+    return [[points[i] for i in face] for face in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))]
+
+
+def surfaces():
+    sides = [[(0, y, 0), (LENGTH, y, 0), (LENGTH, y, HEIGHT), (0, y, HEIGHT)] for y in (0.0, WIDTH)]
+    return {"Wall": [*wall_with_opening(0.0, LOWER), *wall_with_opening(LENGTH, UPPER), *sides],
+            "Ceiling": [[(0, 0, HEIGHT), (LENGTH, 0, HEIGHT), (LENGTH, WIDTH, HEIGHT), (0, WIDTH, HEIGHT)]],
+            "Source": box(SOURCE)}
+
+
+def opening_area(opening):
+    y0, z0, y1, z1 = opening
+    return (y1 - y0) * (z1 - z0)
+
+
+def main(file):
+    lines, count = [], 0
+    for name, polygons in surfaces().items():
+        lines.append(f"o {name}")
+        for polygon in polygons:
+            lines += ["v {:g} {:g} {:g}".format(*point) for point in polygon]
+            lines.append("f " + " ".join(str(count + i + 1) for i in range(len(polygon))))
+            count += len(polygon)
+    pathlib.Path(file).write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    main(sys.argv[1])
