@@ -183,27 +183,6 @@ void declareRoom(CLI::App& command, Options& options)
       ->type_name("M3/S");
 }
 
-/// Accepts temperatures outdoors, and recognizes kelvin.
-CLI::Validator celsius(double least, double most)
-{
-  constexpr double absoluteZero = -273.15;
-  return CLI::Validator(
-      [=](std::string& input) {
-        double value = 0.0;
-        std::ostringstream text;
-        if (!readNumber(input, value) || value < least || value > most)
-        {
-          text << "'" << input << "' is no temperature outdoors from " << least << " to " << most << " degrees Celsius";
-        }
-        if (value + absoluteZero >= least && value + absoluteZero <= most && value > most)
-        {
-          text << "; " << value << " kelvin are " << value + absoluteZero;
-        }
-        return text.str();
-      },
-      "");
-}
-
 void declareWarmAir(CLI::App& command, Options& options)
 {
   vtkNew<vtkAtriaOpenFOAMCaseWriter> standard;

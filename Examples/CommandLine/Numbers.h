@@ -58,6 +58,27 @@ inline CLI::Validator numberIn(double least, double most, bool above = false)
 inline CLI::Validator atLeast(double least) { return numberIn(least, std::numeric_limits<double>::infinity()); }
 inline CLI::Validator positive() { return numberIn(0.0, std::numeric_limits<double>::infinity(), true); }
 
+/// Accepts temperatures outdoors, and recognizes kelvin.
+inline CLI::Validator celsius(double least, double most)
+{
+  constexpr double absoluteZero = -273.15;
+  return CLI::Validator(
+      [=](std::string& input) {
+        double value = 0.0;
+        std::ostringstream text;
+        if (!readNumber(input, value) || value < least || value > most)
+        {
+          text << "'" << input << "' is no temperature outdoors from " << least << " to " << most << " degrees Celsius";
+        }
+        if (value + absoluteZero >= least && value + absoluteZero <= most && value > most)
+        {
+          text << "; " << value << " kelvin are " << value + absoluteZero;
+        }
+        return text.str();
+      },
+      "");
+}
+
 inline CLI::Validator anyNumber()
 {
   return CLI::Validator(

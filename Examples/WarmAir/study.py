@@ -4,7 +4,7 @@
 
 Rows `stack…` have heat in all of the room's air. The flow is compared with Q = Cd A* sqrt(2 g H dT / T), where Cd is 0.6, H the
 height between the openings, dT how much warmer the room is than outdoors, and 1/A*² = 1/A1² + 1/A2². Rows `plume…` have a small
-source on the floor: displacement ventilation, compared with Linden, Lane-Serff and Smeed (1990), Emptying filling boxes: the fluid
+source near the floor, and air comes in slowly: displacement ventilation, compared with Linden, Lane-Serff and Smeed (1990), Emptying filling boxes: the fluid
 mechanics of natural ventilation, J. Fluid Mech. 212, 309-335.
 
 Each row has its mesh made, its case run by OpenFOAM on one processor, and what was measured written as JSON to
@@ -50,7 +50,7 @@ def mesh(atria, row, folder, model):
     command = [atria, "mesh", model, "-o", folder / "mesh.vtu", "--openings", "--domain", *(c for pair in make_room.DOMAIN for c in pair),
                "--size-min", row.finest, "--size-mid", room, "--size-max", 8 * room, "--layers", 0, "--threads", 1]
     plume = ["--cell-zone", "Source", "--refine-box", *(c for pair in make_room.PLUME for c in pair), row.finest]
-    return run([*command, *(plume if row.has_plume else ("--without", "Source"))], folder, "mesh")
+    return run([*command, *(plume if row.has_plume else ())], folder, "mesh")
 
 
 def case_command(atria, row, folder):
@@ -60,9 +60,10 @@ def case_command(atria, row, folder):
 
 # Formulas
 
-def effective_area():
-    """A* of two openings in series, without the coefficient of discharge, m²."""
-    areas = [make_room.opening_area(opening) for opening in (make_room.LOWER, make_room.UPPER)]
+def effective_area(has_plume=False):
+    """A* of low and high openings in series, without the coefficient of discharge, m²."""
+    area = make_room.opening_area
+    areas = (2 * area(make_room.WIDE), area(make_room.SMALL)) if has_plume else (area(make_room.LOWER), area(make_room.UPPER))
     return 1.0 / math.sqrt(sum(1.0 / area**2 for area in areas))
 
 
@@ -87,7 +88,7 @@ def interface_share():
     A* has Linden's factor, sqrt(2) of ours. The heat does not matter.
     """
     height = rise()
-    wanted = math.sqrt(2.0) * DISCHARGE * effective_area() / height**2
+    wanted = math.sqrt(2.0) * DISCHARGE * effective_area(True) / height**2
     low, high = 0.0, 1.0
     for _ in range(60):
         share = (low + high) / 2
@@ -102,8 +103,8 @@ def source_height():
 
 
 def rise():
-    """From the source to the middle of the upper opening, meters."""
-    return middle(make_room.UPPER) - source_height()
+    """From the source to the middle of the high opening, meters."""
+    return middle(make_room.SMALL) - source_height()
 
 
 def plume_flow(watts, capacity):
@@ -141,7 +142,7 @@ def measure(row, case):
     described = Case(case)
     flow = described.runs[0]
     through = {opening.name: opening for opening in flow.openings}
-    if sorted(through) != ["Wall_opening_1", "Wall_opening_2"]:
+    if sorted(through) != [f"Wall_opening_{i + 1}" for i in range(3 if row.has_plume else 2)]:
         raise Failed(f"openings are {', '.join(sorted(through))}")
     warmth = flow.warmth
     into = flow.inflow("room_1")
@@ -163,7 +164,7 @@ def measure(row, case):
 
 def make(atria, row, folder):
     model = folder / "room.obj"
-    make_room.main(model)
+    make_room.main(model, row.has_plume)
     seconds = mesh(atria, row, folder, model)
     case = folder / "case"
     run(case_command(atria, row, folder), folder, "case")

@@ -39,8 +39,8 @@ struct CaseHeat
 {
   std::map<std::string, double> zones;        ///< heat of cell zones, W
   std::map<std::string, double> surfaces;     ///< heat of patches, W
-  std::map<std::string, double> temperatures; ///< of surfaces, degrees Celsius
-  std::map<std::string, double> incoming;     ///< of the air that comes in, by patch, degrees Celsius
+  std::map<std::string, double> temperatures; ///< temperatures of surfaces, degrees Celsius
+  std::map<std::string, double> incoming;     ///< temperatures of incoming air by patch, degrees Celsius
 };
 
 /// Returns the heat of the settings, which is empty without warm air. Heat of several zones or patches is divided among

@@ -203,21 +203,25 @@ class WarmAir(unittest.TestCase):
         self.assertAlmostEqual(run.warmth.everywhere.values[-1], warmest, delta=0.2 * (warmest - 20.0))
         self.assertIn("<p>20 s, ", (folder / "report.html").read_text())
 
-    def test_the_study_has_a_room_with_two_openings(self):
-        row = study.Row("test", 100.0, finest=0.2)
-        make_room.main(self.folder / "room.obj")
-        study.mesh(ATRIA, row, self.folder, self.folder / "room.obj")
-        subprocess.run(list(map(str, study.case_command(ATRIA, row, self.folder))), check=True, capture_output=True)
-        described = self.described(self.folder / "case")
-        self.assertEqual([opening["name"] for opening in described["openings"]], ["Wall_opening_1", "Wall_opening_2"])
-        for opening in described["openings"]:
-            self.assertAlmostEqual(opening["area"], make_room.opening_area(make_room.LOWER), places=3)
+    def test_the_study_has_rooms_with_openings(self):
+        for has_plume in (False, True):
+            row = study.Row("test", 100.0, has_plume, finest=0.2)
+            folder = self.folder / str(has_plume)
+            folder.mkdir()
+            make_room.main(folder / "room.obj", has_plume)
+            study.mesh(ATRIA, row, folder, folder / "room.obj")
+            subprocess.run(list(map(str, study.case_command(ATRIA, row, folder))), check=True, capture_output=True)
+            openings = self.described(folder / "case")["openings"]
+            area = make_room.opening_area
+            wanted = [make_room.WIDE, make_room.WIDE, make_room.SMALL] if has_plume else [make_room.LOWER, make_room.UPPER]
+            self.assertEqual(len(openings), len(wanted))
+            self.assertAlmostEqual(sum(opening["area"] for opening in openings), sum(map(area, wanted)), places=3)
 
     def test_the_study_has_the_formulas(self):
         self.assertAlmostEqual(study.effective_area(), 0.4 / 2**0.5)
         self.assertAlmostEqual(study.stack_flow(2.316), 0.1195, places=4)
         share = study.interface_share()
-        area = 2**0.5 * 0.6 * study.effective_area() / study.rise() ** 2
+        area = 2**0.5 * 0.6 * study.effective_area(True) / study.rise() ** 2
         self.assertAlmostEqual(study.plume_constant() ** 1.5 * (share**5 / (1 - share)) ** 0.5, area, places=9)
         self.assertAlmostEqual(study.interface_height([0.5, 1.5, 2.5], [20.0, 21.0, 24.0]), 1.5 + 1.0 / 3.0)
 
