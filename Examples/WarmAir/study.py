@@ -38,11 +38,11 @@ class Row:
     watts: float
     has_plume: bool = False
     finest: float = 0.1  # meters, at the openings and in the plume
-    iterations: int = 600
+    iterations: int = 1000
 
 
 ROWS = [Row("stack150", 150), Row("stack600", 600), Row("stack2400", 2400),
-        Row("plume150", 150, True, iterations=1000), Row("plume600", 600, True, iterations=1000)]
+        Row("plume150", 150, True), Row("plume600", 600, True)]
 
 
 def mesh(atria, row, folder, model):

@@ -21,7 +21,10 @@ sys.path.insert(0, str(FOLDER))
 
 import make_room  # noqa: E402
 import study  # noqa: E402
+import numpy  # noqa: E402
 from atria.report import Case  # noqa: E402
+from atria.report.results import History  # noqa: E402
+from atria.report.warmth import Warmth  # noqa: E402
 from box_mesh import write_box  # noqa: E402
 from decomposed import MPI  # noqa: E402
 from kept_rows import keep  # noqa: E402  (study knows where it is)
@@ -184,6 +187,21 @@ class WarmAir(unittest.TestCase):
         self.assertGreater(run.warmth.surfaces["Floor"].last(), 20.0)
         self.assertLess(abs(run.warmth.imbalance()), 0.01)
 
+    def test_flows_that_swing_did_not_converge(self):
+        """Only with high residuals, too, and only in a steady run."""
+        described = {"outdoor_temperature": 20, "duration": 0, "heat_capacity": 1210, "diffusivities": [2e-5, 1.2], "zones": {"hall": 100},
+                     "surfaces": {}, "temperatures": {}}
+        times = numpy.arange(1.0, 101.0)
+        calm, swinging = History(times, numpy.ones(100)), History(times, 1.0 + 0.2 * numpy.sin(times))
+        low, high = ({"Ux": History(times, numpy.full(100, value))} for value in (1e-3, 5e-2))
+        warmth = Warmth(self.folder, described, {}, [], {})
+        self.assertEqual(warmth.doubts(low, {"Door": swinging}), [])
+        self.assertEqual(warmth.doubts(high, {"Door": calm}), [])
+        said, = warmth.doubts(high, {"Window": calm, "Door": swinging})
+        self.assertIn("residuals of the velocity stay at 0.05 and the flow through Door swings by ±20 %", said)
+        self.assertIn("atria case --transient 600", said)
+        self.assertEqual(Warmth(self.folder, described | {"duration": 60}, {}, [], {}).doubts(high, {"Door": swinging}), [])
+
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_what_did_not_converge_is_told(self):
         folder = self.case(self.room, *CALM, "--heat", "hall", "200W", "--iterations", "10")
@@ -205,7 +223,7 @@ class WarmAir(unittest.TestCase):
 
     def test_the_study_has_rooms_with_openings(self):
         for has_plume in (False, True):
-            row = study.Row("test", 100.0, has_plume, finest=0.2)
+            row = study.Row("test", 100.0, has_plume)
             folder = self.folder / str(has_plume)
             folder.mkdir()
             make_room.main(folder / "room.obj", has_plume)
