@@ -4,8 +4,9 @@
 
 Rows `stack…` have heat in all of the room's air. The flow is compared with Q = Cd A* sqrt(2 g H dT / T), where Cd is 0.6, H the
 height between the openings, dT how much warmer the room is than outdoors, and 1/A*² = 1/A1² + 1/A2². Rows `plume…` have a small
-source near the floor, and air comes in slowly: displacement ventilation, compared with Linden, Lane-Serff and Smeed (1990), Emptying filling boxes: the fluid
-mechanics of natural ventilation, J. Fluid Mech. 212, 309-335.
+source near the floor, and air comes in slowly: displacement ventilation. Steady runs of it do not converge, so a transient run
+goes on from there. It is compared with Linden, Lane-Serff and Smeed (1990), Emptying filling boxes: the fluid mechanics of
+natural ventilation, J. Fluid Mech. 212, 309-335.
 
 Each row has its mesh made, its case run by OpenFOAM on one processor, and what was measured written as JSON to
 OUT/results. Rows that are there are not made again, so that the study goes on where it stopped. A row that fails is
@@ -17,6 +18,7 @@ Usage: study.py ATRIA OUT [ROW ...]     (PYTHONPATH must hold the package `atria
 
 import math
 import pathlib
+import shutil
 import sys
 from dataclasses import dataclass
 
@@ -39,10 +41,11 @@ class Row:
     has_plume: bool = False
     finest: float = 0.1  # meters, at the openings and in the plume
     iterations: int = 1000
+    transient: float = 0.0  # seconds, after the iterations
 
 
 ROWS = [Row("stack150", 150), Row("stack600", 600), Row("stack2400", 2400),
-        Row("plume150", 150, True), Row("plume600", 600, True)]
+        Row("plume600", 600, True, iterations=400, transient=200.0)]
 
 
 def mesh(atria, row, folder, model):
@@ -53,9 +56,17 @@ def mesh(atria, row, folder, model):
     return run([*command, *(plume if row.has_plume else ())], folder, "mesh")
 
 
-def case_command(atria, row, folder):
-    return [atria, "case", folder / "mesh.vtu", "-o", folder / "case", "--calm", "--outdoor-temperature", OUTDOORS, "--heat",
-            "Source" if row.has_plume else "room_1", f"{row.watts:g}W", "--iterations", row.iterations]
+def case_command(atria, row, folder, transient=False):
+    command = [atria, "case", folder / "mesh.vtu", "-o", folder / ("transient" if transient else "case"), "--calm",
+               "--outdoor-temperature", OUTDOORS, "--heat", "Source" if row.has_plume else "room_1", f"{row.watts:g}W"]
+    return [*command, *(("--transient", row.transient) if transient else ("--iterations", row.iterations))]
+
+
+def go_on_from(steady, transient):
+    """Starts a transient case with the last fields of a steady one."""
+    last = max((folder for folder in steady.iterdir() if folder.name.isdigit()), key=lambda folder: int(folder.name))
+    for field in (transient / "0").iterdir():
+        shutil.copy(last / field.name, field)
 
 
 # Formulas
@@ -169,6 +180,11 @@ def make(atria, row, folder):
     case = folder / "case"
     run(case_command(atria, row, folder), folder, "case")
     run([case / "Allrun"], folder, "run")
+    if row.transient:
+        steady, case = case, folder / "transient"
+        run(case_command(atria, row, folder, transient=True), folder, "transient_case")
+        go_on_from(steady, case)
+        run([case / "Allrun"], folder, "transient_run")
     return {"mesh_seconds": seconds, **measure(row, case)}
 
 

@@ -244,7 +244,7 @@ class WarmAir(unittest.TestCase):
         self.assertAlmostEqual(study.interface_height([0.5, 1.5, 2.5], [20.0, 21.0, 24.0]), 1.5 + 1.0 / 3.0)
 
     def test_the_tables_compare(self):
-        for row in study.ROWS[:1] + study.ROWS[3:4]:
+        for row in (study.ROWS[0], study.ROWS[-1]):
             keep(row, self.folder, {"cells": 1000, "worst_non_orthogonality": 50.0, "mesh_seconds": 1.0, "solve_seconds": 2.0, "flow": 0.08,
                                     "warmer": 0.919, "heat_through_openings": 150.0, "imbalance": 0.001, "capacity": 1210.0,
                                     "unconverged": [], "below_ceiling": 21.0, "interface": 1.5})
