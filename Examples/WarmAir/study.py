@@ -40,12 +40,12 @@ class Row:
     watts: float
     has_plume: bool = False
     finest: float = 0.1  # meters, at the openings and in the plume
-    iterations: int = 1000
+    iterations: int = 800
     transient: float = 0.0  # seconds, after the iterations
 
 
 ROWS = [Row("stack150", 150), Row("stack600", 600), Row("stack2400", 2400),
-        Row("plume600", 600, True, iterations=400, transient=200.0)]
+        Row("plume600", 600, True, iterations=800)]
 
 
 def mesh(atria, row, folder, model):
