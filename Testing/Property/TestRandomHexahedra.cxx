@@ -81,7 +81,7 @@ TEST(RandomHexahedra, FillTheDomain)
     EXPECT_TRUE(isSound(mesh, 0));
     EXPECT_EQ(countOthers(mesh), 0);
     EXPECT_NEAR(totalVolume(mesh) / frame.domain.size().prod(), 1.0, 1e-9);
-    EXPECT_GT(leastInside(mesh), 0.3);
+    EXPECT_GT(leastInside(mesh), 0.25);
     const std::size_t dominant = dualOf(frame, sets, false).elementCount();
     EXPECT_LT(mesh.elementCount(), dominant + dominant / 4) << "what splitting octants adds";
   }
@@ -117,7 +117,7 @@ TEST(RandomHexahedra, FillTheDomainAroundEveryCornerOfRefinedOctants)
     const DualMesh mesh = dualOf(frame, sets, true);
     EXPECT_TRUE(isSound(mesh, 0));
     EXPECT_EQ(countOthers(mesh), 0);
-    EXPECT_GT(leastInside(mesh), 0.3);
+    EXPECT_GT(leastInside(mesh), 0.25);
   }
 }
 
