@@ -70,12 +70,6 @@ public:
   }
 
 private:
-  /// True if a face is on the domain's top. Faces of bare sides may be in any direction from their elements.
-  bool isOnTop(const BoundaryFace& face) const
-  {
-    return face.onDomainSide && (face.tag < count ? face.direction : face.tag - count) == zMax;
-  }
-
   void measureFaces()
   {
     std::vector<ExactSum> sums(count * surfaceSums + wholeSums);
@@ -95,7 +89,10 @@ private:
       {
         const FaceFlux flux = fluxOf(mesh, face.element, face.direction, origin);
         whole[airVolume].add(flux.volume, volumes);
-        whole[topArea].add(isOnTop(face) ? flux.area.norm() : 0.0, areas);
+        const double area = flux.area.norm();
+        // Faces of sides may be in any direction of their elements.
+        const bool isOnTop = face.onDomainSide && flux.area[2] > 0.5 * area;
+        whole[topArea].add(isOnTop ? area : 0.0, areas);
         if (face.tag < count)
         {
           add(face, flux, wetArea);
