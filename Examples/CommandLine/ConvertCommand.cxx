@@ -27,7 +27,7 @@ ExitStatus runConvert(const Options& options, Console& console, const Workers& w
 {
   if (options.exports.targets().empty())
   {
-    throw Failure(Usage, "nothing to write; give --openfoam, --fluent, --cgns or --su2");
+    throw Failure(Usage, "nothing to write; give --openfoam, --fluent, --cgns, --su2, --gmsh or --abaqus");
   }
   checkExportOptions(options.exports);
   const auto mesh = readMesh(options.file, console);

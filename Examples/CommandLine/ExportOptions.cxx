@@ -8,8 +8,10 @@
 #include "OutputFiles.h"
 #include "Workers.h"
 
+#include <vtkAtriaAbaqusWriter.h>
 #include <vtkAtriaCGNSWriter.h>
 #include <vtkAtriaFluentWriter.h>
+#include <vtkAtriaGmshWriter.h>
 #include <vtkAtriaOpenFOAMWriter.h>
 #include <vtkAtriaSU2Writer.h>
 #include <vtkMultiProcessController.h>
@@ -24,7 +26,7 @@ namespace atria::tool {
 std::vector<std::string> ExportOptions::targets() const
 {
   std::vector<std::string> all;
-  for (const std::string* target : {&openfoam, &fluent, &cgns, &su2})
+  for (const std::string* target : {&openfoam, &fluent, &cgns, &su2, &gmsh, &abaqus})
   {
     if (!target->empty())
     {
@@ -59,6 +61,12 @@ void declareExportOptions(CLI::App& command, ExportOptions& options)
   command.add_option("--fluent", options.fluent, "Also write a Fluent mesh")->type_name("OUT.msh");
   command.add_option("--cgns", options.cgns, "Also write a CGNS file")->type_name("OUT.cgns");
   command.add_option("--su2", options.su2, "Also write an SU2 mesh, with polyhedra divided")->type_name("OUT.su2");
+  command.add_option("--gmsh", options.gmsh, "Also write a Gmsh mesh; there must be no polyhedra (see --hex)")
+      ->type_name("OUT.msh");
+  command
+      .add_option("--abaqus", options.abaqus,
+                  "Also write a mesh for Abaqus and CalculiX; there must be no polyhedra and pyramids (see --hex)")
+      ->type_name("OUT.inp");
   command.add_flag("--restore-offset", options.restoreOffset,
                    "Write these where the model was before --recenter of `atria mesh` moved it");
 }
@@ -74,6 +82,12 @@ void checkExportOptions(const ExportOptions& options)
   check("--fluent", options.fluent, ".msh");
   check("--cgns", options.cgns, ".cgns");
   check("--su2", options.su2, ".su2");
+  check("--gmsh", options.gmsh, ".msh");
+  check("--abaqus", options.abaqus, ".inp");
+  if (!options.gmsh.empty() && options.gmsh == options.fluent)
+  {
+    throw Failure(Usage, "--fluent and --gmsh have the same file " + options.gmsh + "; name two");
+  }
   if (!options.openfoam.empty())
   {
     checkFolder("--openfoam", options.openfoam);
@@ -192,6 +206,8 @@ Json writeExports(const ExportOptions& options, const MeshPiece& own, bool isDiv
   writeFile<vtkAtriaFluentWriter>(options, options.fluent, mesh, patches, console);
   writeFile<vtkAtriaCGNSWriter>(options, options.cgns, mesh, patches, console);
   writeFile<vtkAtriaSU2Writer>(options, options.su2, mesh, patches, console);
+  writeFile<vtkAtriaGmshWriter>(options, options.gmsh, mesh, patches, console); // these may refuse the mesh
+  writeFile<vtkAtriaAbaqusWriter>(options, options.abaqus, mesh, patches, console);
   return openfoam;
 }
 

@@ -29,6 +29,8 @@ struct ExportOptions
   std::string fluent;
   std::string cgns;
   std::string su2;
+  std::string gmsh;
+  std::string abaqus;
   bool restoreOffset = false;
 
   /// Returns the requested files and folders.

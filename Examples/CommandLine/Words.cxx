@@ -32,6 +32,7 @@ constexpr std::array optionOf{
     std::pair{"CurvatureAngle", "--curvature-angle"},
     std::pair{"CellsAcrossGap", "--gap-cells"},
     std::pair{"CellsPerLevel", "--cells-per-level"},
+    std::pair{"ElementType Hexahedral", "--hex"},
     std::pair{"ElementType", "--hex"},
     std::pair{"MaxElements", "--max-elements"},
     std::pair{"MemoryLimit", "--memory-limit"},

@@ -69,7 +69,7 @@ class Result:
         self._picture = None  # not drawn yet
 
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes the mesh: a .vtu file; .msh for Fluent, .su2 for SU2; or a folder that becomes an OpenFOAM case."""
+        """Writes the mesh: a .vtu file; .msh for Fluent, .su2 for SU2, .msh4 for Gmsh, .inp for Abaqus; or a folder that becomes an OpenFOAM case."""
         from . import raising
 
         writer = _writer_of(pathlib.Path(file))
@@ -108,10 +108,12 @@ class Result:
 
 
 def _writer_of(file):
-    from . import vtkAtriaFluentWriter, vtkAtriaOpenFOAMWriter, vtkAtriaSU2Writer
+    from . import (vtkAtriaAbaqusWriter, vtkAtriaFluentWriter, vtkAtriaGmshWriter, vtkAtriaOpenFOAMWriter,
+                   vtkAtriaSU2Writer)
     from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
-    writers = {".vtu": vtkXMLUnstructuredGridWriter, ".msh": vtkAtriaFluentWriter, ".su2": vtkAtriaSU2Writer}
+    writers = {".vtu": vtkXMLUnstructuredGridWriter, ".msh": vtkAtriaFluentWriter, ".su2": vtkAtriaSU2Writer,
+               ".msh4": vtkAtriaGmshWriter, ".inp": vtkAtriaAbaqusWriter}
     if file.suffix in writers:
         writer = writers[file.suffix]()
         writer.SetFileName(os.fspath(file))

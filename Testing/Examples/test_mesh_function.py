@@ -203,7 +203,7 @@ class Mesh(unittest.TestCase):
             for case in ("house.openfoam", "version.2"):
                 result.save(folder / case)
                 self.assertTrue((folder / case / "constant" / "polyMesh" / "faces").is_file())
-            with self.assertRaisesRegex(ValueError, "ends in .stl; it must end in .vtu, .msh, .su2"):
+            with self.assertRaisesRegex(ValueError, "ends in .stl; it must end in .vtu, .msh, .su2, .msh4, .inp"):
                 result.save(folder / "mesh.stl")
             self.assertFalse((folder / "mesh.stl").exists())
 
