@@ -162,31 +162,33 @@ CCX = """*INCLUDE, INPUT=m.inp
 *ELASTIC
 1., 0.
 *SOLID SECTION, ELSET=EALL, MATERIAL=M
+*NSET, NSET=HELD
+{held}
 *BOUNDARY
-{fixed}
+HELD, 1, 3
 *STEP
 *STATIC
 *DSLOAD
 {name}, P, 1.
-*NODE PRINT, NSET=NALL, TOTALS=ONLY
+*NODE PRINT, NSET=HELD, TOTALS=ONLY
 RF
 *END STEP
 """
 
 
 def ask_ccx(folder, mesh, expected):
-    """CalculiX puts a pressure on a patch. The nodes that are held carry the patch's area vector."""
+    """CalculiX puts a pressure on a patch. Nodes inside that are held carry the patch's area vector."""
     if not shutil.which("ccx"):
         return "not installed"
-    points, cells, _ = mesh
-    middle = cells[((points[cells].mean(axis=1) - points.mean(axis=0)) ** 2).sum(axis=1).argmin()]
+    _, cells, patches = mesh
+    inside = cells[~np.isin(cells, np.concatenate(list(patches.values()))).any(axis=1)][0]
     for name, areas in expected.items():
-        (folder / "job.inp").write_text(CCX.format(name=name, fixed="\n".join(f"{n + 1}, 1, 3" for n in middle)))
+        (folder / "job.inp").write_text(CCX.format(name=name, held="\n".join(str(n + 1) for n in inside)))
         said = run("ccx", "job", cwd=folder)
         text = said.stdout + said.stderr
-        assert said.returncode == 0 and not re.search("ERROR|WARNING.*(surface|element|jacobian)", text), text[-3000:]
+        assert said.returncode == 0 and not re.search(r"\*ERROR|\*WARNING", text), text[-3000:]
         found = np.array((folder / "job.dat").read_text().split()[-3:], dtype=float)
-        force = areas.sum(axis=0)  # against the pressure, which acts into the mesh
+        force = areas.sum(axis=0)  # the pressure acts into the mesh, and the nodes against it
         assert np.abs(found - force).max() < 1e-3 * np.linalg.norm(areas, axis=1).sum(), (name, found, force)
     return "agrees"
 
