@@ -50,12 +50,31 @@ class Sizes(CommandLineTest):
         self.assertLessEqual(estimated, limit)
         self.assertIn(f"--max-elements {limit}", run.stderr)
 
-    def test_a_budget_keeps_the_tower_and_coarsens_the_far_field(self):
-        """Sizes on the tower are as requested; the warning gives options that make the same mesh."""
+    def write_tower(self):
         model = self.folder / "tower.obj"
         corners = [(x, y, z) for z in (0, 100) for y in (0, 20) for x in (0, 20)]
         faces = [(1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)]
         model.write_text("o Tower\n" + "".join("v %g %g %g\n" % c for c in corners) + "".join("f %d %d %d %d\n" % f for f in faces))
+        return model
+
+    def test_a_mesh_has_hexahedra_only_on_request(self):
+        model = self.write_tower()
+        counts = {}
+        for option in ([], ["--hex"]):
+            report = self.folder / "report.json"
+            run = self.atria("mesh", model, "--size-min", "5", "--size-mid", "5", *option, "-o", self.folder / "tower.vtu", "--report", report)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertNotIn("no hexahedra", run.stderr)
+            written = json.loads(report.read_text())
+            counts[bool(option)] = written["counts"]
+            self.assertEqual(written["invalid_elements"], 0)
+        self.assertEqual(counts[True]["hexahedra"], counts[True]["elements"])
+        self.assertLess(counts[False]["hexahedra"], counts[False]["elements"])
+        self.assertLess(counts[True]["elements"], 2.2 * counts[False]["elements"])
+
+    def test_a_budget_keeps_the_tower_and_coarsens_the_far_field(self):
+        """Sizes on the tower are as requested; the warning gives options that make the same mesh."""
+        model = self.write_tower()
         sizes = ["--size-min", "1", "--size-mid", "2", "--layers", "0"]
 
         def made(*options):
