@@ -72,7 +72,7 @@ TEST(SizingErrors, SayWhatIsWrong)
               HasSubstr("outside of the domain"));
   EXPECT_THAT(with([](auto& s) { s.maxElements = 10; }),
               AllOf(HasSubstr("MaxElements 10"), HasSubstr("shortest side"), HasSubstr("24 wide")));
-  EXPECT_THAT(with([](auto& s) { s.surfaceSizes = {{"*", 1e-9, {}}}; }), HasSubstr("finer size"));
+  EXPECT_THAT(with([](auto& s) { s.surfaceSizes = {{"*", 1e-9, {}}}; }), HasSubstr("finer requested size"));
   EXPECT_THAT(with([](auto& s) { s.cellsPerLevel = 0; }), HasSubstr("cells of a level"));
 
   GridOptions fine = grid;
