@@ -33,8 +33,8 @@ std::string makeWord(std::string_view name, const NameRules& rules)
   {
     return "patch";
   }
-  const bool startsLikeName = rules.anyStart || isLetter(word.front()) || word.front() == '_';
-  return startsLikeName ? word : "_" + word;
+  const bool startsLikeName = rules.anyStart || isLetter(word.front()) || (word.front() == '_' && !rules.letterStart);
+  return startsLikeName ? word : (rules.letterStart ? "N_" : "_") + word;
 }
 
 /// Returns 0 or 1, the index of the suffix that the name has after a stem, else -1.
@@ -150,6 +150,13 @@ private:
 std::vector<PatchName> makePatchNames(std::span<const std::string> names, const NameRules& rules)
 {
   return NameMaker(names, rules).run();
+}
+
+std::string inOneLine(std::string name)
+{
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
+  return name;
 }
 
 bool matchesPatchName(std::string_view pattern, std::string_view word, const NameRules& rules)

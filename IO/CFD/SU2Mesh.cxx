@@ -97,10 +97,7 @@ private:
       divideFace(mesh.mesh.points, mesh.mesh.face(f),
                  [&](std::span<const Index> part) { parts.emplace_back(part.begin(), part.end()); });
     }
-    std::string original = patch.name;
-    std::ranges::replace_if(
-        original, [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
-    file.text("% \"").text(original).text("\"\nMARKER_TAG= ").text(word).text("\n");
+    file.text("% \"").text(inOneLine(patch.name)).text("\"\nMARKER_TAG= ").text(word).text("\n");
     count("MARKER_ELEMS", parts.size());
     for (const std::vector<Index>& part : parts)
     {
@@ -130,25 +127,6 @@ void writeSU2Mesh(const std::filesystem::path& file, const SolverMesh& mesh, con
 {
   writeInPlace(file,
                [&](const std::filesystem::path& place) { SU2Writer(place, mesh, cells, context.progress).write(); });
-}
-
-std::size_t facesWithCommonPoints(const FaceMesh& mesh)
-{
-  std::vector<std::vector<Index>> faces;
-  for (std::size_t f = mesh.internalFaceCount(); f < mesh.faceCount(); ++f)
-  {
-    const auto loop = mesh.face(f);
-    faces.emplace_back(loop.begin(), loop.end());
-    std::ranges::sort(faces.back());
-  }
-  std::ranges::sort(faces);
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    const bool isRepeated = (i > 0 && faces[i] == faces[i - 1]) || (i + 1 < faces.size() && faces[i] == faces[i + 1]);
-    count += isRepeated ? 1 : 0;
-  }
-  return count;
 }
 
 } // namespace atria

@@ -6,7 +6,6 @@
 #include "SolverMesh.h"
 #include "Support/RunContext.h"
 
-#include <cstddef>
 #include <filesystem>
 
 namespace atria {
@@ -18,9 +17,5 @@ inline constexpr NameRules su2Names{.punctuation = "_.-+:/"};
 /// each marker records the patch's name. Throws Error for a file that cannot be written.
 void writeSU2Mesh(const std::filesystem::path& file, const SolverMesh& mesh, const NativeCells& cells,
                   const RunContext& context);
-
-/// Returns the number of boundary faces with the same points as another one, such as both sides of a sheet one face
-/// wide.
-std::size_t facesWithCommonPoints(const FaceMesh& mesh);
 
 } // namespace atria

@@ -199,4 +199,23 @@ std::vector<PatchName> namesOf(std::span<const SolverPatch> patches, const NameR
   return words;
 }
 
+std::size_t facesWithCommonPoints(const FaceMesh& mesh)
+{
+  std::vector<std::vector<Index>> faces;
+  for (std::size_t f = mesh.internalFaceCount(); f < mesh.faceCount(); ++f)
+  {
+    const auto loop = mesh.face(f);
+    faces.emplace_back(loop.begin(), loop.end());
+    std::ranges::sort(faces.back());
+  }
+  std::ranges::sort(faces);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const bool isRepeated = (i > 0 && faces[i] == faces[i - 1]) || (i + 1 < faces.size() && faces[i] == faces[i + 1]);
+    count += isRepeated ? 1 : 0;
+  }
+  return count;
+}
+
 } // namespace atria

@@ -77,4 +77,8 @@ SolverMesh makeSolverMesh(FaceMesh mesh, std::span<const BoundaryPatch> patches,
 std::vector<PatchName> namesOf(std::span<const SolverPatch> patches, const NameRules& rules,
                                std::span<const std::string> others = {});
 
+/// Returns the number of boundary faces with the same points as another one, such as both sides of a sheet one face
+/// wide.
+std::size_t facesWithCommonPoints(const FaceMesh& mesh);
+
 } // namespace atria

@@ -42,6 +42,12 @@ TEST(PatchNames, DoesNotBeginLikeANumber)
   EXPECT_EQ(wordsFor({"2nd floor", "-x", ".5", "+1"}), (Words{"_2nd_floor", "_-x", "_.5", "_+1"}));
 }
 
+TEST(PatchNames, BeginsWithALetterWhereAFormatTakesNoUnderscore)
+{
+  EXPECT_EQ(wordsFor({"2nd floor", "_x", "x_"}, {.punctuation = "_", .letterStart = true}),
+            (Words{"N_2nd_floor", "N__x", "x_"}));
+}
+
 TEST(PatchNames, NamesTheNameless) { EXPECT_EQ(wordsFor({"", ""}), (Words{"patch", "patch_2"})); }
 
 TEST(PatchNames, MakesEqualNamesDifferent)
