@@ -309,6 +309,7 @@ Lines heatSources(const CaseOfDirection& flow, Filling filling)
 template <class Map> std::vector<std::string> namesIn(const Map& map)
 {
   std::vector<std::string> names;
+  names.reserve(map.size());
   for (const auto& [name, value] : map)
   {
     names.push_back(name);

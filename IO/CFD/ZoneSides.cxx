@@ -37,7 +37,8 @@ std::vector<NewFace> rebuild(FaceMesh& mesh, std::vector<OrderedFace> faces)
     loop.assign(old.begin(), old.end());
     if (face.turned) // turned around, the first point stays the first
     {
-      std::ranges::rotate(loop, loop.begin() + 1);
+      // Clang 14 cannot compile std::ranges::rotate of this library.
+      std::rotate(loop.begin(), loop.begin() + 1, loop.end());
     }
     appendFace(out, face, loop);
     NewFace& number = numbers[face.face];
@@ -61,12 +62,13 @@ FaceZone& zoneCalled(PolyMesh& poly, const std::string& name)
 
 void refuseTakenNames(const PolyMesh& poly, const std::string& zone)
 {
-  for (const std::string& name : sidesOfZone(zone))
+  const auto sides = sidesOfZone(zone);
+  const auto taken = std::ranges::find_if(sides, [&](const std::string& name) {
+    return std::ranges::find(poly.patches, name, &PolyPatch::name) != poly.patches.end();
+  });
+  if (taken != sides.end())
   {
-    if (std::ranges::find(poly.patches, name, &PolyPatch::name) != poly.patches.end())
-    {
-      throw Error("the mesh has a patch '" + name + "' already, which is the name of a side of '" + zone + "'");
-    }
+    throw Error("the mesh has a patch '" + *taken + "' already, which is the name of a side of '" + zone + "'");
   }
   if (std::ranges::find(poly.cellZones, cellsBesideZone(zone), &CellZone::name) != poly.cellZones.end())
   {

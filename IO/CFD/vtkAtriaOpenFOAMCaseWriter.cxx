@@ -21,6 +21,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Appends the rules that `read` finds in texts.
+template <typename Read, typename Rule>
+void appendRules(const std::vector<std::string>& texts, Read read, std::vector<Rule>& rules)
+{
+  for (const std::string& text : texts)
+  {
+    rules.push_back(read(text));
+  }
+}
+
+void printRules(ostream& os, vtkIndent indent, const char* name, const std::vector<std::string>& rules)
+{
+  for (const std::string& rule : rules)
+  {
+    os << indent << name << ": " << rule << "\n";
+  }
+}
+
 void copyMesh(const fs::path& source, const fs::path& target)
 {
   std::error_code ignored;
@@ -284,48 +302,21 @@ atria::FlowCaseSettings vtkAtriaOpenFOAMCaseWriter::GetSettings()
   settings.format = this->GetFormat();
   settings.pedestrianHeight = this->PedestrianHeight;
   settings.ageOfAir = this->AgeOfAir;
-  for (const std::string& rule : this->ScalarRules)
-  {
-    settings.scalarRules.push_back(atria::scalarRuleFrom(rule));
-  }
-  for (const std::string& rule : this->CanopyRules)
-  {
-    settings.canopyRules.push_back(atria::canopyRuleFrom(rule));
-  }
+  appendRules(this->ScalarRules, atria::scalarRuleFrom, settings.scalarRules);
+  appendRules(this->CanopyRules, atria::canopyRuleFrom, settings.canopyRules);
   settings.treeFile = this->TreeFile ? this->TreeFile : "";
-  for (const std::string& rule : this->ScreenRules)
-  {
-    settings.screenRules.push_back(atria::screenRuleFrom(rule));
-  }
-  for (const std::string& rule : this->FanRules)
-  {
-    settings.fanRules.push_back(atria::fanRuleFrom(rule));
-  }
+  appendRules(this->ScreenRules, atria::screenRuleFrom, settings.screenRules);
+  appendRules(this->FanRules, atria::fanRuleFrom, settings.fanRules);
   settings.warmAir = this->WarmAir;
   settings.outdoorTemperature = this->OutdoorTemperature;
-  for (const std::string& rule : this->TemperatureRules)
-  {
-    settings.temperatureRules.push_back(atria::temperatureRuleFrom(rule));
-  }
-  for (const std::string& rule : this->HeatRules)
-  {
-    settings.heatRules.push_back(atria::heatRuleFrom(rule));
-  }
+  appendRules(this->TemperatureRules, atria::temperatureRuleFrom, settings.temperatureRules);
+  appendRules(this->HeatRules, atria::heatRuleFrom, settings.heatRules);
   settings.calm = this->Calm;
   settings.transientDuration = this->TransientDuration;
-  for (const std::string& rule : this->PatchRules)
-  {
-    settings.patchRules.push_back(atria::patchRuleFrom(rule));
-  }
-  for (const std::string& rule : this->GroundRules)
-  {
-    settings.patchRules.push_back(atria::groundRuleFrom(rule)); // after PatchRules: they hold over these
-  }
+  appendRules(this->PatchRules, atria::patchRuleFrom, settings.patchRules);
+  appendRules(this->GroundRules, atria::groundRuleFrom, settings.patchRules); // they hold over PatchRules
   settings.checkProfile = this->CheckProfile;
-  for (const std::string& rule : this->ConditionRules)
-  {
-    settings.conditionRules.push_back(atria::conditionRuleFrom(rule));
-  }
+  appendRules(this->ConditionRules, atria::conditionRuleFrom, settings.conditionRules);
   return settings;
 }
 
@@ -410,46 +401,19 @@ void vtkAtriaOpenFOAMCaseWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
   os << indent << "PedestrianHeight: " << this->PedestrianHeight << "\n";
   os << indent << "AgeOfAir: " << (this->AgeOfAir ? "on" : "off") << "\n";
-  for (const std::string& rule : this->ScalarRules)
-  {
-    os << indent << "ScalarRule: " << rule << "\n";
-  }
-  for (const std::string& rule : this->CanopyRules)
-  {
-    os << indent << "CanopyRule: " << rule << "\n";
-  }
+  printRules(os, indent, "ScalarRule", this->ScalarRules);
+  printRules(os, indent, "CanopyRule", this->CanopyRules);
   os << indent << "TreeFile: " << (this->TreeFile ? this->TreeFile : "(none)") << "\n";
-  for (const std::string& rule : this->ScreenRules)
-  {
-    os << indent << "ScreenRule: " << rule << "\n";
-  }
-  for (const std::string& rule : this->FanRules)
-  {
-    os << indent << "FanRule: " << rule << "\n";
-  }
+  printRules(os, indent, "ScreenRule", this->ScreenRules);
+  printRules(os, indent, "FanRule", this->FanRules);
   os << indent << "WarmAir: " << (this->WarmAir ? "on" : "off") << "\n";
   os << indent << "OutdoorTemperature: " << this->OutdoorTemperature << "\n";
-  for (const std::string& rule : this->TemperatureRules)
-  {
-    os << indent << "TemperatureRule: " << rule << "\n";
-  }
-  for (const std::string& rule : this->HeatRules)
-  {
-    os << indent << "HeatRule: " << rule << "\n";
-  }
+  printRules(os, indent, "TemperatureRule", this->TemperatureRules);
+  printRules(os, indent, "HeatRule", this->HeatRules);
   os << indent << "Calm: " << (this->Calm ? "on" : "off") << "\n";
   os << indent << "TransientDuration: " << this->TransientDuration << "\n";
-  for (const std::string& rule : this->PatchRules)
-  {
-    os << indent << "PatchRule: " << rule << "\n";
-  }
-  for (const std::string& rule : this->ConditionRules)
-  {
-    os << indent << "ConditionRule: " << rule << "\n";
-  }
-  for (const std::string& rule : this->GroundRules)
-  {
-    os << indent << "GroundRule: " << rule << "\n";
-  }
+  printRules(os, indent, "PatchRule", this->PatchRules);
+  printRules(os, indent, "ConditionRule", this->ConditionRules);
+  printRules(os, indent, "GroundRule", this->GroundRules);
   os << indent << "CheckProfile: " << (this->CheckProfile ? "on" : "off") << "\n";
 }

@@ -64,7 +64,7 @@ constexpr std::array<std::array<double, 3>, 4> flatPlaces{
 /// Returns the axis of the only face beyond which octants are finer; -1 if there is none or are several.
 int flatAxis(unsigned finer)
 {
-  const unsigned faces = finer >> 1 & 1 | finer >> 1 & 2 | finer >> 2 & 4;
+  const unsigned faces = (finer >> 1 & 1) | (finer >> 1 & 2) | (finer >> 2 & 4);
   if (!std::has_single_bit(faces))
   {
     return -1;

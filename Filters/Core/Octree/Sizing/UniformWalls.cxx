@@ -24,7 +24,7 @@ class WallOctants
 {
 public:
   WallOctants(const Octree& octree, const SurfaceModel& model, const RunContext& context)
-      : octree_(octree), model_(model), context_(context),
+      : octree_(octree), model_(model),
         walls_(chosenNumbers(octree.leafCount(), context.executor,
                              [&](std::size_t leaf) { return isAtWall(static_cast<Index>(leaf)); })),
         near_(walls_.size())
@@ -97,7 +97,6 @@ private:
 
   const Octree& octree_;
   const SurfaceModel& model_;
-  const RunContext& context_;
   std::vector<Index> walls_;
   /// One entry per leaf of `walls_`: the leaves in the domain that are near it.
   std::vector<std::vector<Index>> near_;
