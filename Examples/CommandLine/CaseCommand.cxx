@@ -241,27 +241,9 @@ void declarePatches(CLI::App& command, Options& options)
       ->type_name("PATTERN FIELD ENTRIES");
 }
 
-void declareRun(CLI::App& command, Options& options)
+/// Declares what the air carries, and what slows or moves it on its way.
+void declareContents(CLI::App& command, Options& options)
 {
-  vtkNew<vtkAtriaOpenFOAMCaseWriter> standard;
-  options.turbulence = turbulenceModels[static_cast<std::size_t>(standard->GetTurbulenceModel())];
-  options.dialect = dialects[static_cast<std::size_t>(standard->GetDialect())];
-  options.iterations = standard->GetNumberOfIterations();
-  options.processors = standard->GetNumberOfProcessors();
-  options.pedestrian = standard->GetPedestrianHeight();
-  command.add_option("--turbulence", options.turbulence, "Model of turbulence")
-      ->capture_default_str()
-      ->check(oneOf(turbulenceModels))
-      ->type_name("k-epsilon|realizable|k-omega-sst");
-  command.add_option("--iterations", options.iterations, "Iterations of the solver, at most")
-      ->capture_default_str()
-      ->check(numberIn(standard->GetNumberOfIterationsMinValue(), standard->GetNumberOfIterationsMaxValue()))
-      ->type_name("N");
-  command.add_option("--processors", options.processors, "Processors to run on")
-      ->capture_default_str()
-      ->check(numberIn(standard->GetNumberOfProcessorsMinValue(), standard->GetNumberOfProcessorsMaxValue()))
-      ->type_name("N");
-  command.add_flag("--age-of-air", options.age, "Also compute the age of the air, seconds since it came in");
   command
       .add_option(
           "--scalar", options.scalars,
@@ -295,6 +277,29 @@ void declareRun(CLI::App& command, Options& options)
                   "against it, or a table of flow rate, m3/s, and pressure; may be repeated, the last holds")
       ->allow_extra_args(false)
       ->type_name("PATTERN PRESSURE|FILE.csv");
+}
+
+void declareRun(CLI::App& command, Options& options)
+{
+  vtkNew<vtkAtriaOpenFOAMCaseWriter> standard;
+  options.turbulence = turbulenceModels[static_cast<std::size_t>(standard->GetTurbulenceModel())];
+  options.dialect = dialects[static_cast<std::size_t>(standard->GetDialect())];
+  options.iterations = standard->GetNumberOfIterations();
+  options.processors = standard->GetNumberOfProcessors();
+  options.pedestrian = standard->GetPedestrianHeight();
+  command.add_option("--turbulence", options.turbulence, "Model of turbulence")
+      ->capture_default_str()
+      ->check(oneOf(turbulenceModels))
+      ->type_name("k-epsilon|realizable|k-omega-sst");
+  command.add_option("--iterations", options.iterations, "Iterations of the solver, at most")
+      ->capture_default_str()
+      ->check(numberIn(standard->GetNumberOfIterationsMinValue(), standard->GetNumberOfIterationsMaxValue()))
+      ->type_name("N");
+  command.add_option("--processors", options.processors, "Processors to run on")
+      ->capture_default_str()
+      ->check(numberIn(standard->GetNumberOfProcessorsMinValue(), standard->GetNumberOfProcessorsMaxValue()))
+      ->type_name("N");
+  command.add_flag("--age-of-air", options.age, "Also compute the age of the air, seconds since it came in");
   command
       .add_option("--pedestrian-height", options.pedestrian,
                   "Height above the ground where speeds are measured, meters")
@@ -341,32 +346,16 @@ void setDirections(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options)
   }
 }
 
-void configure(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, const CLI::App& command)
+std::string text(const std::string& pattern, const std::string& rest)
 {
-  writer->SetKind(numberOf(kinds, options.kind));
-  writer->SetInletQuantity(command.count("--inlet-flow") > 0 ? vtkAtriaOpenFOAMCaseWriter::ByFlowRate
-                                                             : vtkAtriaOpenFOAMCaseWriter::BySpeed);
-  writer->SetInletSpeed(options.inletSpeed);
-  writer->SetInletFlowRate(options.inletFlow);
-  writer->WriteBinaryOn();
-  writer->SetCaseDirectory(options.output.c_str());
-  writer->SetReferenceSpeed(options.speed);
-  writer->SetReferenceHeight(options.height);
-  writer->SetRoughnessLength(options.roughness);
-  writer->SetNorthAngle(options.north);
-  setDirections(writer, options);
-  writer->SetTurbulenceModel(numberOf(turbulenceModels, options.turbulence));
-  writer->SetDialect(numberOf(dialects, options.dialect));
-  writer->SetNumberOfIterations(options.iterations);
-  writer->SetNumberOfProcessors(options.processors);
-  writer->SetPedestrianHeight(options.pedestrian);
-  writer->SetAgeOfAir(options.age);
-  writer->SetCheckProfile(options.checkProfile);
-  const auto text = [](const std::string& pattern, const std::string& rest) {
-    std::ostringstream rule;
-    rule << std::quoted(pattern) << ' ' << rest;
-    return rule.str();
-  };
+  std::ostringstream rule;
+  rule << std::quoted(pattern) << ' ' << rest;
+  return rule.str();
+}
+
+/// Sets what the air carries, what slows or moves it, and its warmth.
+void addContents(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options)
+{
   for (const auto& [name, pattern, amount] : options.scalars)
   {
     writer->AddScalarRule((name + " " + text(pattern, amount)).c_str());
@@ -401,6 +390,30 @@ void configure(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, const
   {
     writer->AddHeatRule(text(pattern, amount).c_str());
   }
+}
+
+void configure(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, const CLI::App& command)
+{
+  writer->SetKind(numberOf(kinds, options.kind));
+  writer->SetInletQuantity(command.count("--inlet-flow") > 0 ? vtkAtriaOpenFOAMCaseWriter::ByFlowRate
+                                                             : vtkAtriaOpenFOAMCaseWriter::BySpeed);
+  writer->SetInletSpeed(options.inletSpeed);
+  writer->SetInletFlowRate(options.inletFlow);
+  writer->WriteBinaryOn();
+  writer->SetCaseDirectory(options.output.c_str());
+  writer->SetReferenceSpeed(options.speed);
+  writer->SetReferenceHeight(options.height);
+  writer->SetRoughnessLength(options.roughness);
+  writer->SetNorthAngle(options.north);
+  setDirections(writer, options);
+  writer->SetTurbulenceModel(numberOf(turbulenceModels, options.turbulence));
+  writer->SetDialect(numberOf(dialects, options.dialect));
+  writer->SetNumberOfIterations(options.iterations);
+  writer->SetNumberOfProcessors(options.processors);
+  writer->SetPedestrianHeight(options.pedestrian);
+  writer->SetAgeOfAir(options.age);
+  writer->SetCheckProfile(options.checkProfile);
+  addContents(writer, options);
   for (const auto& [pattern, role] : options.patchRules)
   {
     writer->AddPatchRule(text(pattern, role).c_str());
@@ -509,6 +522,7 @@ void addCaseCommand(CLI::App& app, Console& console, ExitStatus& status)
   group("Patches");
   declarePatches(*command, *options);
   group("Run");
+  declareContents(*command, *options);
   declareRun(*command, *options);
   declareConfigFile(*command, options->writeConfig, "make no case");
   command->footer(examples);

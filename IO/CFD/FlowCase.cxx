@@ -358,6 +358,15 @@ CaseOfDirection chosen(const CaseMesh& mesh, const FlowCaseSettings& settings, d
   return flow;
 }
 
+/// Adds the folder of a direction to those in which inlets have no wind.
+void addWindless(const std::vector<std::string>& inlets, const std::string& folder, Windless& windless)
+{
+  for (const std::string& name : inlets)
+  {
+    windless[name].push_back(folder);
+  }
+}
+
 } // namespace
 
 WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings, const RunContext& context)
@@ -387,10 +396,7 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
     flow.baffles = baffles;
     const std::optional<double> upstream = flow.hasWind() ? ownRoughnessUpstream(poly, flow) : std::nullopt;
     upstreams.push_back({folders[d], upstream.value_or(settings.wind.roughness)});
-    for (const std::string& name : inletsWithoutWind(mesh, settings, flow.choices, flow.wind))
-    {
-      windless[name].push_back(folders[d]);
-    }
+    addWindless(inletsWithoutWind(mesh, settings, flow.choices, flow.wind), folders[d], windless);
     flow.probes = probePlaces(poly, flow.namesOf(PatchRole::Ground), surroundings(mesh, flow.choices),
                               settings.pedestrianHeight, mostProbes);
     writeCaseFiles(folder, flow);
