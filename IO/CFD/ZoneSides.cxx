@@ -139,7 +139,7 @@ void addSides(PolyMesh& poly, const FaceZone& zone, const std::vector<int>& side
     beside.cells.push_back(poly.mesh.owner[second.faces.back()]);
   }
   std::ranges::sort(beside.cells);
-  beside.cells.erase(std::ranges::unique(beside.cells).begin(), beside.cells.end());
+  beside.cells.erase(std::unique(beside.cells.begin(), beside.cells.end()), beside.cells.end());
   poly.patches.push_back(std::move(first));
   poly.patches.push_back(std::move(second));
   poly.cellZones.push_back(std::move(beside));
