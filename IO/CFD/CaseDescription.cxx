@@ -240,10 +240,11 @@ std::vector<std::string> warnOfSheets(const CaseOfDirection& flow)
     {
       if (flow.mesh.patches[j].name == other)
       {
-        warnings.push_back("'" + name + "' and '" + other +
-                           "' are the sides of one sheet, and air is blown from both, " +
-                           foamNumber(flowRateOf(flow, i) + flowRateOf(flow, j)) +
-                           " m3/s in all. To blow from one side, say PatchRules " + other + " wall");
+        std::ostringstream text;
+        text << '\'' << name << "' and '" << other << "' are the sides of one sheet, and air is blown from both, "
+             << foamNumber(flowRateOf(flow, i) + flowRateOf(flow, j))
+             << " m3/s in all. To blow from one side, say PatchRules " << other << " wall";
+        warnings.push_back(text.str());
       }
     }
   }
@@ -255,12 +256,17 @@ std::vector<std::string> warnOfWindless(const Windless& windless, const std::vec
   std::vector<std::string> warnings;
   for (const auto& [name, where] : windless)
   {
-    const std::string in = where.size() < folders.size() ? " in " + listed(where) : "";
-    warnings.push_back(
-        "the wind does not enter at inlet '" + name + "'" + in +
-        ": it blows along it or out of it, and no air comes in there. Turn the wind, or let the inlet blow by "
-        "itself, such as PatchRules " +
-        name + " inlet:1m/s");
+    std::ostringstream text;
+    text << "the wind does not enter at inlet '" << name << '\'';
+    if (where.size() < folders.size())
+    {
+      text << " in " << listed(where);
+    }
+    text << ": it blows along it or out of it, and no air comes in there. Turn the wind, or let the inlet blow by "
+            "itself, "
+            "such as PatchRules "
+         << name << " inlet:1m/s";
+    warnings.push_back(text.str());
   }
   return warnings;
 }
