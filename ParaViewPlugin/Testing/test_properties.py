@@ -15,7 +15,7 @@ import atria
 from house_pipeline import load_plugin
 
 VECTORS = {"IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty", "IdTypeVectorProperty"}
-UNITS = re.compile(r"meters|degrees|gigabytes|no unit")
+UNITS = re.compile(r"meters|seconds|degrees|gigabytes|no unit")
 # Values beyond which a limit of a C++ range means "no limit".
 UNLIMITED = 1e30
 INT_MAX = 2**31 - 1
