@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/Transitions.h"
 
-#include "Mesher/Improvement/LayerCells.h"
 #include "Optimize/Constraints/ModelConstraints.h"
 #include "Optimize/Kernel/Optimizer.h"
 #include "Support/Pieces.h"
@@ -11,6 +10,9 @@
 namespace atria {
 
 namespace {
+
+/// Scaled Jacobian from which on hexahedra stay as they are.
+constexpr double goodEnough = 0.5;
 
 /// Returns the elements whose vertices are of octants of several sizes, or several of which are of one octant.
 std::vector<Index> transitionElements(const ClassifiedMesh& given, const MeshingContext& context)
@@ -31,7 +33,7 @@ void improveTransitions(ClassifiedMesh& given, const MeshingContext& context)
 {
   OptimizerOptions options;
   options.targets.convex = false;
-  options.targets.scaledJacobian = 0.5;
+  options.targets.scaledJacobian = goodEnough;
   options.rings = 1;
   MeasuredCells measured(options.targets);
   measured.outdate(transitionElements(given, context));

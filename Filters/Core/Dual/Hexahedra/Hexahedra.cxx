@@ -4,6 +4,7 @@
 #include "Dual/Grid/GridPoints.h"
 #include "Dual/Hexahedra/SplitOctants.h"
 #include "Dual/Vertices/TurnedDomain.h"
+#include "Grid/DomainPlanes.h"
 #include "Support/Error.h"
 #include "Support/Pieces.h"
 #include "Support/Sorting.h"
@@ -39,16 +40,13 @@ struct PointFace
   bool operator<(const PointFace& other) const { return cells < other.cells; }
 };
 
-/// Returns the direction of the cell whose vertex is a corner of an element.
-std::uint8_t cellOfCorner(std::uint8_t corner) { return hexahedronCorner[corner]; }
-
 class HexahedraMaker
 {
 public:
   HexahedraMaker(DualMesh& mesh, VertexClassification& classification, const Octree& octree, std::size_t surfaceCount,
                  const RunContext& context)
       : mesh_(mesh), vertices_(classification), octree_(octree), frame_(octree.frame()), surfaceCount_(surfaceCount),
-        context_(context), split_(octree, context), oldElements_(mesh.elementCount()), oldVertices_(mesh.points.size())
+        context_(context), split_(octree, context), oldVertices_(mesh.points.size())
   {
   }
 
@@ -87,7 +85,7 @@ private:
       std::array<Index, 8> leaves{};
       for (std::uint8_t corner = 0; corner < 8; ++corner)
       {
-        leaves[cellOfCorner(corner)] = vertices_.leaves[mesh_.corners[touched[i]][corner]];
+        leaves[hexahedronCorner[corner]] = vertices_.leaves[mesh_.corners[touched[i]][corner]];
       }
       GridPoint& point = points_[i];
       point.place = positionOf(octree_, leaves);
@@ -101,15 +99,8 @@ private:
 
   bool isInDomain(const LatticePoint& p) const
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      if (p[axis] < frame_.domainLow[axis] || p[axis] >= frame_.domainHigh[axis])
-      {
-        return false;
-      }
-    }
-    const Vec3 inModel = frame_.placement.toModel(frame_.toModel(p));
-    return !frame_.turnedDomain || frame_.turnedDomain->contains(inModel);
+    return frame_.inDomain(p) &&
+           (!frame_.turnedDomain || frame_.turnedDomain->contains(frame_.placement.toModel(frame_.toModel(p))));
   }
 
   CellsAround cellsAround(const LatticePoint& p) const
@@ -158,7 +149,7 @@ private:
   {
     std::array<SplitCell, 4> cells{};
     std::ranges::transform(hexahedronFace[direction], cells.begin(),
-                           [&](std::uint8_t corner) { return point.cells[cellOfCorner(corner)]; });
+                           [&](std::uint8_t corner) { return point.cells[hexahedronCorner[corner]]; });
     return cells;
   }
 
@@ -245,7 +236,7 @@ private:
       int finest = 0;
       for (std::uint8_t corner = 0; corner < 8; ++corner)
       {
-        const SplitCell cell = point.cells[cellOfCorner(corner)];
+        const SplitCell cell = point.cells[hexahedronCorner[corner]];
         mesh_.corners[point.element][corner] = vertexOf(cell);
         finest = std::max(finest, octree_.level(leafOf(cell)));
       }
@@ -282,35 +273,20 @@ private:
                : noIndex;
   }
 
-  /// Returns the domain's planes through a cell. Points in a plane are thought to lie above it.
+  /// Returns the domain's planes through a cell.
   std::uint8_t planesOf(SplitCell cell) const
   {
     const LatticeBox box = split_.boundsOf(cell);
-    unsigned planes = 0;
-    for (int direction = 0; direction < 6; ++direction)
-    {
-      const int axis = axisOf(direction);
-      const std::int64_t plane = isUpper(direction) ? frame_.domainHigh[axis] : frame_.domainLow[axis];
-      planes |= box.low[axis] < plane && box.high[axis] >= plane ? 1u << direction : 0u;
-    }
-    return static_cast<std::uint8_t>(planes);
+    return static_cast<std::uint8_t>(frame_.domainPlanes(box.low, box.high));
   }
 
   void moveToPart(Index vertex, SplitCell cell)
   {
-    if (vertices_.classes[vertex] != VertexClass::free)
+    if (vertices_.classes[vertex] == VertexClass::free)
     {
-      return;
+      const Vec3 center = frame_.toModel(split_.centerOf(cell));
+      mesh_.points[vertex] = onDomainPlanes(center, vertices_.planes[vertex], frame_);
     }
-    Vec3 p = frame_.toModel(split_.centerOf(cell));
-    for (int direction = 0; direction < 6; ++direction)
-    {
-      if ((vertices_.planes[vertex] >> direction & 1) != 0)
-      {
-        p[axisOf(direction)] = frame_.planeOf(direction);
-      }
-    }
-    mesh_.points[vertex] = p.cwiseMax(frame_.domain.min).cwiseMin(frame_.domain.max);
   }
 
   void linkElements()
@@ -331,8 +307,7 @@ private:
   void link(const GridPoint& point, Index across, int direction)
   {
     std::int32_t& code = mesh_.neighbors[point.element][direction];
-    const bool isOld = point.element < oldElements_;
-    const bool wasOnBoundary = isOld && DualMesh::isBoundary(code);
+    const bool wasOnBoundary = DualMesh::isBoundary(code); // codes of new elements are 0
     if (wasOnBoundary && !mesh_.boundaryFaces[DualMesh::boundaryFaceOf(code)].onDomainSide)
     {
       refuse(point);
@@ -378,8 +353,7 @@ private:
     Vec3 p = frame_.toModel(point.place);
     const double step = frame_.sizeOf(octree_.level(leafOf(cellsOf(point, direction)[0])));
     p[axisOf(direction)] += isUpper(direction) ? step : -step;
-    const Placement relative(frame_.turnedDomain->axes.angle() - frame_.placement.angle());
-    const Vec3 along = relative.fromModel(p);
+    const Vec3 along = frame_.turnedDomain->axes.fromModel(frame_.placement.toModel(p));
     const auto& sides = frame_.turnedDomain->sides();
     return std::ranges::max_element(sides, {}, [&](const PrismSide& s) { return s.beyond(along.head<2>()); })->number;
   }
@@ -447,7 +421,6 @@ private:
   std::size_t surfaceCount_;
   const RunContext& context_;
   SplitOctants split_;
-  std::size_t oldElements_;
   std::size_t oldVertices_;
   std::vector<GridPoint> points_; ///< those with elements of the octree's dual first
   std::size_t oldPoints_ = 0;

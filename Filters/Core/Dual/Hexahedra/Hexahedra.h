@@ -12,7 +12,8 @@ namespace atria {
 /// `classification.leaves[v]`. New vertices and elements come after all others; new faces are on bare sides of the
 /// domain. Vertices of split octants move to the middles of their parts.
 ///
-/// Sizes must not change within two octants of a surface; throws Error if they do, with the place.
+/// Split octants must not touch octants that hold a surface (makeUniformAtWalls); throws Error if they do, with the
+/// place.
 void makeHexahedral(DualMesh& mesh, VertexClassification& classification, const Octree& octree,
                     std::size_t surfaceCount, const RunContext& context);
 

@@ -57,7 +57,7 @@ struct Scheme
 /// Places for the vertices of parts beside finer octants on one face alone, in halves of the octant, by part: in no
 /// slab, in the slab of the shallower cap, in that of the deeper one, in both. Coordinates are along the axes of the
 /// slab with the shallower cap, of the one with the deeper cap, and off the face. They maximize the least of scaled
-/// Jacobians and of edges over halves between two regions of octants; see docs/constants.md.
+/// Jacobians and of edges over halves between two regions of octants, as a search found.
 constexpr std::array<std::array<double, 3>, 4> flatPlaces{
     {{1.024, 1.097, 1.158}, {1.654, 0.739, 0.366}, {1.145, 1.622, 0.656}, {1.621, 1.394, 0.163}}};
 

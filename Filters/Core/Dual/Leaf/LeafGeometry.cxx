@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/Leaf/LeafGeometry.h"
 
+#include "Grid/DomainPlanes.h"
 #include "Surface/Search/Distance.h"
 
 #include <algorithm>
@@ -69,18 +70,8 @@ void LeafGeometry::addCut(const EdgeSegment& edge, std::span<const SurfaceCrossi
   }
 }
 
-Vec3 LeafGeometry::onPlanes(Vec3 p) const
-{
-  for (int direction = 0; direction < 6; ++direction)
-  {
-    if (planes >> direction & 1)
-    {
-      p[axisOf(direction)] = frame.planeOf(direction);
-    }
-  }
-  // Curves beside the leaf may lead out of the domain.
-  return p.cwiseMax(frame.domain.min).cwiseMin(frame.domain.max);
-}
+/// Curves beside the leaf may lead out of the domain.
+Vec3 LeafGeometry::onPlanes(const Vec3& p) const { return onDomainPlanes(p, planes, frame); }
 
 Vec3 LeafGeometry::meanOfCuts() const { return count > 0.0 ? Vec3(sum / count) : center_; }
 

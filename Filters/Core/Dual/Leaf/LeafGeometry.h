@@ -48,7 +48,7 @@ private:
   using Segment = std::pair<Vec3, Vec3>;
 
   Vec3 modelPoint(Index i) const { return frame.toModel(model.points[i]); }
-  Vec3 onPlanes(Vec3 p) const;
+  Vec3 onPlanes(const Vec3& p) const;
   Vec3 meanOfCuts() const;
   bool isOneOf(const FeatureEdge& edge, const std::vector<std::vector<Index>>& endings) const;
   void addNeighbors();

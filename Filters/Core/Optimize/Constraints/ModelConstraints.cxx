@@ -2,6 +2,7 @@
 #include "Optimize/Constraints/ModelConstraints.h"
 
 #include "Dual/Vertices/TurnedDomain.h"
+#include "Grid/DomainPlanes.h"
 #include "Octree/Tree/GeometryLists.h"
 #include "Surface/Search/Distance.h"
 
@@ -124,18 +125,10 @@ SideBits ModelConstraints::turnedSidesOf(Index point) const
 }
 
 /// Returns p moved into the domain, and to those of its sides on which the point stays.
-Vec3 ModelConstraints::onSides(Index point, Vec3 p) const
+Vec3 ModelConstraints::onSides(Index point, const Vec3& p) const
 {
   const GridFrame& frame = octree_.frame();
-  const unsigned planes = planesOf(point);
-  for (int direction = 0; direction < 6; ++direction)
-  {
-    if (planes >> direction & 1)
-    {
-      p[axisOf(direction)] = frame.planeOf(direction);
-    }
-  }
-  return onTurnedSides(p.cwiseMax(frame.domain.min).cwiseMin(frame.domain.max), turnedSidesOf(point), frame);
+  return onTurnedSides(onDomainPlanes(p, planesOf(point), frame), turnedSidesOf(point), frame);
 }
 
 Vec3 ModelConstraints::centerOf(Index point) const

@@ -67,7 +67,7 @@ private:
   OnPiece nearestPiece(Target& target, const Vec3& p) const;
   Vec3 nearestOf(Target& target, const Vec3& p, const Vec3& known) const;
   bool isBeyond(const Target& target, Index piece, const Vec3& wanted, double reach) const;
-  Vec3 onSides(Index point, Vec3 p) const;
+  Vec3 onSides(Index point, const Vec3& p) const;
   unsigned planesOf(Index point) const;
   SideBits turnedSidesOf(Index point) const;
 
