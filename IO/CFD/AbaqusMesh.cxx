@@ -16,7 +16,6 @@ namespace atria {
 
 namespace {
 
-constexpr std::size_t reportEvery = 65536;
 constexpr std::size_t entriesPerLine = 16; // as many as Abaqus reads
 
 /// A type of elements. Its faces S1, S2 … are lists of its nodes, which count from 0; -1 fills up triangles.
@@ -43,7 +42,7 @@ class AbaqusWriter
 {
 public:
   AbaqusWriter(const std::filesystem::path& path, const ElementMesh& source, const ProgressRange& range)
-      : solverMesh(source.mesh), mesh(source.mesh.mesh), elements(source.elements), progress(range), file(path, &range)
+      : solverMesh(source.mesh), mesh(source.mesh.mesh), elements(source.elements), file(path, &range)
   {
   }
 
@@ -87,7 +86,7 @@ private:
     file.text("*NODE, NSET=NALL\n");
     for (std::size_t i = 0; i < mesh.points.size(); ++i)
     {
-      tell(0.0, 0.4, i, mesh.points.size(), "Writing points");
+      file.report(0.0, 0.4, i, mesh.points.size(), "Writing points");
       file.number(static_cast<std::int64_t>(i + 1));
       for (int axis = 0; axis < 3; ++axis)
       {
@@ -111,7 +110,7 @@ private:
       {
         continue;
       }
-      tell(0.4, 0.9, cell, count, "Writing elements");
+      file.report(0.4, 0.9, cell, count, "Writing elements");
       file.number(static_cast<std::int64_t>(cell + 1));
       const auto corners = elements.cornersOf(cell);
       for (const std::uint8_t i : standardOrder(type.cell))
@@ -141,25 +140,17 @@ private:
     file.text("*SURFACE, NAME=").text(word).text(", TYPE=ELEMENT\n");
     for (std::size_t f = patch.firstFace; f < patch.firstFace + patch.faceCount; ++f)
     {
-      tell(0.9, 1.0, f - mesh.internalFaceCount(), mesh.faceCount() - mesh.internalFaceCount(), "Writing patches");
+      file.report(0.9, 1.0, f - mesh.internalFaceCount(), mesh.faceCount() - mesh.internalFaceCount(),
+                  "Writing patches");
       const Index cell = mesh.owner[f];
       const int face = abaqusFace(elements.types[cell], elements.cornersOf(cell), mesh.face(f));
       file.number(std::int64_t{cell} + 1).text(", S").number(std::int64_t{face}).text("\n");
     }
   }
 
-  void tell(double first, double last, std::size_t i, std::size_t of, const char* phase) const
-  {
-    if (i % reportEvery == 0)
-    {
-      progress.report(first + (last - first) * static_cast<double>(i) / static_cast<double>(of), phase);
-    }
-  }
-
   const SolverMesh& solverMesh;
   const FaceMesh& mesh;
   const NativeCells& elements;
-  const ProgressRange& progress;
   OutputFile file;
 };
 

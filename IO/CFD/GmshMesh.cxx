@@ -15,8 +15,6 @@ namespace atria {
 
 namespace {
 
-constexpr std::size_t reportEvery = 65536;
-
 /// Types of elements, in the order in which they are written.
 struct GmshType
 {
@@ -31,7 +29,7 @@ class GmshWriter
 {
 public:
   GmshWriter(const std::filesystem::path& path, const ElementMesh& source, const ProgressRange& range)
-      : mesh(source), faces(source.mesh.mesh), progress(range), entities(gmshEntitiesOf(source)), file(path, &range)
+      : mesh(source), faces(source.mesh.mesh), entities(gmshEntitiesOf(source)), file(path, &range)
   {
   }
 
@@ -132,7 +130,7 @@ private:
     std::size_t place = written - points.size();
     for (const Index p : points)
     {
-      tell(0.0, 0.4, place++, faces.points.size(), "Writing points");
+      file.report(0.0, 0.4, place++, faces.points.size(), "Writing points");
       const Vec3& x = faces.points[p];
       file.number(x[0]).text(" ").number(x[1]).text(" ").number(x[2]).text("\n");
     }
@@ -191,7 +189,7 @@ private:
       integer(static_cast<std::size_t>(block.type)).integer(block.members.size()).endLine();
       for (const Index member : block.members)
       {
-        tell(0.4, 1.0, written, count, "Writing elements");
+        file.report(0.4, 1.0, written, count, "Writing elements");
         integer(++written);
         if (block.dimension == 2)
         {
@@ -241,17 +239,8 @@ private:
     file.text("$EndComments\n");
   }
 
-  void tell(double first, double last, std::size_t i, std::size_t of, const char* phase) const
-  {
-    if (i % reportEvery == 0)
-    {
-      progress.report(first + (last - first) * static_cast<double>(i) / static_cast<double>(of), phase);
-    }
-  }
-
   const ElementMesh& mesh;
   const FaceMesh& faces;
-  const ProgressRange& progress;
   const GmshEntities entities;
   OutputFile file;
   std::vector<Index> numberOf; ///< in the file, one per point

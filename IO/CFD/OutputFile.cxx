@@ -68,6 +68,15 @@ OutputFile& OutputFile::raw(const void* bytes, std::size_t count)
   return *this;
 }
 
+void OutputFile::report(double first, double last, std::size_t i, std::size_t of, const char* phase) const
+{
+  constexpr std::size_t every = 65536; // entries
+  if (i % every == 0)
+  {
+    progress_->report(first + (last - first) * static_cast<double>(i) / static_cast<double>(of), phase);
+  }
+}
+
 void OutputFile::close()
 {
   flush();

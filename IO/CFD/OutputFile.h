@@ -28,6 +28,10 @@ public:
   OutputFile& hex(std::uint64_t value);
   OutputFile& raw(const void* bytes, std::size_t count);
 
+  /// Reports the progress of entry i of so many, within [first, last] of the run, once in many entries. Needs the
+  /// `progress` of the constructor.
+  void report(double first, double last, std::size_t i, std::size_t of, const char* phase) const;
+
   /// Writes the rest and closes the file. Unlike the destructor, it reports a full disk.
   void close();
 

@@ -15,14 +15,13 @@ namespace {
 
 constexpr std::int64_t triangle = 5; // VTK's numbers, which SU2 has too
 constexpr std::int64_t quadrilateral = 9;
-constexpr std::size_t reportEvery = 65536;
 
 class SU2Writer
 {
 public:
   SU2Writer(const std::filesystem::path& path, const SolverMesh& source, const NativeCells& nativeCells,
             const ProgressRange& range)
-      : mesh(source), cells(nativeCells), progress(range), file(path, &range)
+      : mesh(source), cells(nativeCells), file(path, &range)
   {
   }
 
@@ -55,7 +54,7 @@ private:
     count("NELEM", cells.types.size());
     for (std::size_t cell = 0; cell < cells.types.size(); ++cell)
     {
-      tell(0.0, 0.6, cell, cells.types.size(), "Writing elements");
+      file.report(0.0, 0.6, cell, cells.types.size(), "Writing elements");
       writeElement(cells.types[cell], cells.cornersOf(cell));
       file.text(" ").number(static_cast<std::int64_t>(cell)).text("\n");
     }
@@ -68,7 +67,7 @@ private:
     count("NPOIN", all);
     for (std::size_t i = 0; i < all; ++i)
     {
-      tell(0.6, 0.9, i, all, "Writing points");
+      file.report(0.6, 0.9, i, all, "Writing points");
       const Vec3& x = i < own ? mesh.mesh.points[i] : cells.apices[i - own];
       file.number(x[0]).text(" ").number(x[1]).text(" ").number(x[2]).text(" ");
       file.number(static_cast<std::int64_t>(i)).text("\n");
@@ -106,17 +105,8 @@ private:
     }
   }
 
-  void tell(double first, double last, std::size_t i, std::size_t of, const char* phase) const
-  {
-    if (i % reportEvery == 0)
-    {
-      progress.report(first + (last - first) * static_cast<double>(i) / static_cast<double>(of), phase);
-    }
-  }
-
   const SolverMesh& mesh;
   const NativeCells& cells;
-  const ProgressRange& progress;
   OutputFile file;
 };
 
