@@ -8,6 +8,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
@@ -300,6 +301,8 @@ TEST_F(StageCacheTest, ChangesInARowGiveWhatAFreshFilterDoes)
   {
     changes.erase(changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2), changes.end()); // ever slower ones
   }
+  // last, as the meshes after it are much larger
+  std::stable_partition(changes.begin(), changes.end(), [](const Change& c) { return c.command != "SetElementType"; });
   std::vector<Set> sets;
   mesher->Update();
   messages.takeWarnings();
@@ -310,6 +313,7 @@ TEST_F(StageCacheTest, ChangesInARowGiveWhatAFreshFilterDoes)
     change.change(*mesher);
     sets.push_back(change.given);
     sets.push_back(change.change);
+    mesher->Modified(); // an earlier change may have set the same value, and warnings are those of a run
     expectAsFresh(sets);
   }
 }
