@@ -44,7 +44,8 @@ public:
     {
       LayerCoverage& surface = ofTag[tag];
       const bool isSupporting = options.isSupporting(static_cast<Index>(tag));
-      if (isSupporting ? surface.layered > 0.0 : surface.area > 0.0)
+      const bool isNamed = tag < names.size() || tag >= options.surfaceCount(); // others are within the mesh
+      if (isNamed && (isSupporting ? surface.layered > 0.0 : surface.area > 0.0))
       {
         surface.surface = tag < names.size() ? names[tag] : sideName(static_cast<Index>(tag) - options.surfaceCount());
         surface.layers = isSupporting ? 0 : options.ofTag[tag].layers;

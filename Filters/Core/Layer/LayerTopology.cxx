@@ -239,6 +239,15 @@ private:
   {
     BoundaryFace& face = out.mesh.boundaryFaces[f];
     const Index behind = faceBehind(plain, plain.boundaryFaces[f]);
+    if (walls.roles[f] == FaceRole::tube)
+    {
+      const Index beside = stackOf(behind) > 0 ? prismAt(behind, 0) : face.opposite;
+      const BoundaryFace& other = plain.boundaryFaces[behind];
+      out.mesh.neighbors[face.element][face.direction] = static_cast<std::int32_t>(beside);
+      out.mesh.neighbors[beside][other.direction] = static_cast<std::int32_t>(face.element);
+      face.opposite = beside;
+      return;
+    }
     if (behind != noIndex && stackOf(behind) > 0)
     {
       face.opposite = prismAt(behind, 0);

@@ -64,7 +64,8 @@ enum class FaceRole : std::uint8_t
 {
   wall,  ///< layers grow on it
   slide, ///< a side of the domain: layers of walls that meet it end on it
-  fixed  ///< a surface without layers: layers beside it taper to nothing
+  fixed, ///< a surface without layers: layers beside it taper to nothing
+  tube   ///< a face within the mesh: of a tube that layers go round (EdgeTubes.h)
 };
 
 /// The boundary of a mesh that has one sector at each of its points (splitSheets).

@@ -3,6 +3,7 @@
 
 #include "Dual/Mesh/Sheets.h"
 #include "Dual/Vertices/TurnedDomain.h"
+#include "Layer/EdgeTubes.h"
 #include "Mesher/Blocks/BlockImprover.h"
 #include "Mesher/Improvement/CurveJogs.h"
 #include "Mesher/Improvement/ElementsToLeaveOut.h"
@@ -11,6 +12,7 @@
 #include "Mesher/MeshPort.h"
 #include "Mesher/ThinLayers.h"
 #include "Optimize/Constraints/ModelConstraints.h"
+#include "Support/Numbering.h"
 
 #include <algorithm>
 #include <cmath>
@@ -164,7 +166,8 @@ LayerOptions layerOptionsOf(const WallOptions& wallOptions, bool onGround, bool 
 }
 
 /// Removes jogs, and then finds the walls of the mesh.
-LayerWalls prepareWalls(ClassifiedMesh& plain, const LayerOptions& options, const MeshingContext& context)
+LayerWalls prepareWalls(ClassifiedMesh& plain, const EdgeTubes& tubes, const LayerOptions& options,
+                        const MeshingContext& context)
 {
   LayerWalls walls = findLayerWalls(plain.mesh, options, context);
   if (straightenCurves(plain, walls.graph, context))
@@ -175,8 +178,33 @@ LayerWalls prepareWalls(ClassifiedMesh& plain, const LayerOptions& options, cons
   {
     keepOneOnDetails(plain, context, walls);
   }
+  keepTubes(plain.mesh, tubes, walls);
   context.progress.check();
   return walls;
+}
+
+/// Cuts tubes out in front of the boundary edges of sheets.
+EdgeTubes cutTubes(ClassifiedMesh& given, const MeshingContext& context)
+{
+  EdgeTubes tubes = findEdgeTubes(given.mesh, context);
+  if (!tubes.isEmpty())
+  {
+    cutTubes(given.mesh, static_cast<Index>(context.model.names.size()), tubes);
+    given = splitPoints(std::move(given), context);
+  }
+  return tubes;
+}
+
+/// Joins tubes to the layers around them.
+void joinTubes(const EdgeTubes& tubes, const std::vector<Index>& vertexOf, Index surfaceCount, ImprovedMesh& improved)
+{
+  const JoinedTubes joined = joinTubes(improved.mesh, tubes, vertexOf, surfaceCount);
+  compact(improved.layers.counts, joined.faces);
+  compact(improved.layers.thicknesses, joined.faces);
+  for (DetachedVertex& vertex : improved.detached)
+  {
+    vertex.point = joined.points[vertex.point];
+  }
 }
 
 /// Sorts the boundary faces of a mesh in the order that they have in any part of it.
@@ -264,14 +292,24 @@ ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, Me
   const bool onGround = isAnywhere(hasGround(given.mesh, surfaceCount), port.exchange());
   LayerOptions whole = layerOptionsOf(wallOptions, onGround, isOfHexahedra(given), context);
   const FittedLayers fit = fitLayers(whole, port, context);
+  const EdgeTubes tubes = isOfHexahedra(given) ? cutTubes(given, context) : EdgeTubes();
+  const std::vector<Index> vertexOf = tubes.isEmpty() ? std::vector<Index>() : given.vertexOf;
+  if (!tubes.isEmpty())
+  {
+    addTubes(whole);
+  }
   const LayerOptions options = port.withBorder(std::move(whole));
-  const LayerWalls walls = prepareWalls(given, options, context);
+  const LayerWalls walls = prepareWalls(given, tubes, options, context);
   auto [layer, detached, failing, sizes] =
       improve(given, walls, options, fit.flat, wallOptions.curvedWalls, blocks, port, context);
   out.layers = reportLayers(layer, walls, sizes, options, context.model.names, port.part(given.mesh, layer));
   out.layers.thin = fit.thin;
   out.mesh = std::move(layer.mesh);
   out.detached = std::move(detached);
+  if (!tubes.isEmpty())
+  {
+    joinTubes(tubes, vertexOf, surfaceCount, out);
+  }
   port.takeLayer(std::move(given.mesh), std::move(layer));
   if (options.isAsked() || wallOptions.supportElements)
   {

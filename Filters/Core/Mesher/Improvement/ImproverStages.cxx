@@ -166,8 +166,7 @@ QualityTargets targetsOfCreases(const MeshTraits& traits, const QualityRange& ja
 QualityTargets baseTargets(const MeshTraits& traits)
 {
   QualityTargets targets;
-  // Layers that wrap have flat cells at boundary edges, whose other measures are good.
-  targets.convex = traits.layered && !traits.wraps;
+  targets.convex = traits.layered;
   if (traits.layered && traits.hexahedral)
   {
     targets.scaledJacobian = goodJacobian;

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Layer/EdgeTubes.h"
+
+#include "Layer/PrismAxes.h"
+#include "Support/Numbering.h"
+#include "Support/Pieces.h"
+#include "Support/Sorting.h"
+#include "Support/UnionFind.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+namespace atria {
+
+namespace {
+
+/// An edge by its points, lower first.
+using Edge = std::array<Index, 2>;
+
+Edge edgeOf(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+
+struct SheetEdges
+{
+  /// Boundary edges of sheets, and the other edges of boundary faces at their points; sorted.
+  std::vector<Edge> atBoundary;
+  std::vector<Edge> inside;
+  /// One entry per point of the mesh: 1 if it is on a boundary edge.
+  std::vector<char> points;
+};
+
+SheetEdges findSheetEdges(const DualMesh& mesh, const RunContext& context)
+{
+  const BoundaryGraph graph = findBoundaryGraph(mesh, context);
+  const auto forEdges = [&](auto&& use) {
+    for (Index f = 0; f < mesh.boundaryFaces.size(); ++f)
+    {
+      const Index behind = faceBehind(mesh, mesh.boundaryFaces[f]);
+      for (int i = 0; i < 4; ++i)
+      {
+        const Index code = graph.across[f][i];
+        const bool isAtBoundary =
+            behind != noIndex && BoundaryGraph::isEdge(code) && BoundaryGraph::faceOf(code) == behind;
+        use(isAtBoundary, cornerOf(mesh, mesh.boundaryFaces[f], i), cornerOf(mesh, mesh.boundaryFaces[f], i + 1));
+      }
+    }
+  };
+  SheetEdges out;
+  out.points.assign(mesh.points.size(), 0);
+  forEdges([&](bool isAtBoundary, Index a, Index b) {
+    out.points[a] |= isAtBoundary ? 1 : 0;
+    out.points[b] |= isAtBoundary ? 1 : 0;
+  });
+  forEdges([&](bool isAtBoundary, Index a, Index b) {
+    if (out.points[a] || out.points[b])
+    {
+      (isAtBoundary ? out.atBoundary : out.inside).push_back(edgeOf(a, b));
+    }
+  });
+  std::ranges::sort(out.atBoundary);
+  std::ranges::sort(out.inside);
+  return out;
+}
+
+/// True if an element lies in front of a boundary edge: it has one but no wall along it, or a point of one but no other
+/// edge of a wall there.
+bool isInTube(const DualMesh& mesh, const SheetEdges& sheets, Index e)
+{
+  const auto isAmong = [](const std::vector<Edge>& edges, Edge edge) {
+    return std::ranges::binary_search(edges, edge);
+  };
+  std::array<int, 8> state{}; // of a corner: 1 on a boundary edge, 2 with another edge of a wall
+  bool hasEdge = false;
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    const auto& face = hexahedronFace[direction];
+    for (int i = 0; i < 4; ++i)
+    {
+      const std::uint8_t c = face[i];
+      const std::uint8_t d = face[(i + 1) & 3];
+      const Edge edge = edgeOf(mesh.corners[e][c], mesh.corners[e][d]);
+      const bool isBare = !DualMesh::isBoundary(mesh.neighbors[e][direction]) &&
+                          !DualMesh::isBoundary(mesh.neighbors[e][besideEdge(direction, i)]);
+      hasEdge = hasEdge || (isBare && isAmong(sheets.atBoundary, edge));
+      const int other = isAmong(sheets.inside, edge) || !isBare ? 2 : 0;
+      state[c] |= (sheets.points[mesh.corners[e][c]] ? 1 : 0) | other;
+      state[d] |= (sheets.points[mesh.corners[e][d]] ? 1 : 0) | other;
+    }
+  }
+  return hasEdge || std::ranges::find(state, 1) != state.end();
+}
+
+/// The elements of a sector around a point: those outside of tubes that are connected through faces at the point.
+struct Sector
+{
+  std::vector<Index> elements;
+  bool isOpen = false; ///< has a wall or a tube beside it
+  /// Euler characteristic of the sector's elements, faces and edges at the point: 1 if its outer faces are one fan.
+  int characteristic = 0;
+};
+
+/// Adds elements to tubes until the walls around each sector of the rest are one fan, as layers need it. Tubes that
+/// meet a wall or each other in an edge or a point only would leave two.
+class TubeCloser
+{
+public:
+  TubeCloser(const DualMesh& m, const RunContext& c) : mesh(m), context(c), inTube(m.elementCount(), 0)
+  {
+    elementsOf = fillInOrder(mesh.points.size(), context.executor, [&](auto&& use) {
+      context.executor.forEach(mesh.elementCount(), 4096, [&](std::size_t e) {
+        for (const Index p : mesh.corners[e])
+        {
+          use(p, static_cast<Index>(e));
+        }
+      });
+    });
+  }
+
+  std::vector<Index> run(const std::vector<Index>& elements)
+  {
+    std::vector<Index> points;
+    for (const Index e : elements)
+    {
+      inTube[e] = 1;
+      points.insert(points.end(), mesh.corners[e].begin(), mesh.corners[e].end());
+    }
+    const std::vector<char> onBoundary = boundaryPoints(mesh, context.executor);
+    const std::vector<Index> atWalls =
+        chosenNumbers(onBoundary.size(), context.executor, [&](std::size_t p) { return onBoundary[p] != 0; });
+    points.insert(points.end(), atWalls.begin(), atWalls.end());
+    while (!points.empty())
+    {
+      context.progress.check();
+      sortUnique(points);
+      const std::vector<Index> some = std::exchange(points, {});
+      const std::vector<Index> open = chosenNumbers(some.size(), context.executor, [&](std::size_t i) {
+        return std::ranges::any_of(sectorsAt(some[i]), &TubeCloser::isPinched);
+      });
+      for (const Index i : open)
+      {
+        add(some[i], points);
+      }
+    }
+    return chosenNumbers(inTube.size(), context.executor, [&](std::size_t e) { return inTube[e] != 0; });
+  }
+
+private:
+  static bool isPinched(const Sector& sector) { return sector.isOpen && sector.characteristic != 1; }
+
+  /// Adds the pinched sectors at a point to tubes, and their points to the list.
+  void add(Index point, std::vector<Index>& points)
+  {
+    for (const Sector& sector : sectorsAt(point))
+    {
+      for (std::size_t i = 0; i < sector.elements.size() && isPinched(sector); ++i)
+      {
+        const Index e = sector.elements[i];
+        inTube[e] = 1;
+        points.insert(points.end(), mesh.corners[e].begin(), mesh.corners[e].end());
+      }
+    }
+  }
+
+  /// Returns the element across a face if it is outside of tubes; else noIndex.
+  Index across(Index e, int direction) const
+  {
+    const std::int32_t code = mesh.neighbors[e][direction];
+    return code < 0 || inTube[code] ? noIndex : static_cast<Index>(code);
+  }
+
+  std::vector<Sector> sectorsAt(Index point) const
+  {
+    std::vector<Index> star;
+    std::ranges::copy_if(elementsOf.of(point), std::back_inserter(star), [&](Index e) { return !inTube[e]; });
+    sortUnique(star);
+    std::vector<Sector> sectors;
+    std::vector<char> isDone(star.size(), 0);
+    for (std::size_t first = 0; first < star.size(); ++first)
+    {
+      if (!isDone[first])
+      {
+        sectors.push_back(sectorFrom(star, first, point, isDone));
+      }
+    }
+    return sectors;
+  }
+
+  Sector sectorFrom(const std::vector<Index>& star, std::size_t first, Index point, std::vector<char>& isDone) const
+  {
+    Sector sector;
+    sector.elements.push_back(star[first]);
+    isDone[first] = 1;
+    std::vector<Index> ends; // of edges
+    int halfFaces = 0;
+    for (std::size_t i = 0; i < sector.elements.size(); ++i)
+    {
+      const Index e = sector.elements[i];
+      for (int direction = 0; direction < 6; ++direction)
+      {
+        const ReducedFace face = faceOf(mesh.corners[e], direction);
+        const auto at = std::ranges::find(face.loop(), point) - face.loop().begin();
+        if (face.count < 3 || at == face.count)
+        {
+          continue;
+        }
+        ends.push_back(face.points[(at + 1) % face.count]);
+        ends.push_back(face.points[(at + face.count - 1) % face.count]);
+        const Index other = across(e, direction);
+        halfFaces += other == noIndex ? 2 : 1;
+        sector.isOpen = sector.isOpen || other == noIndex;
+        if (const auto found = std::ranges::lower_bound(star, other); found != star.end() && *found == other)
+        {
+          char& done = isDone[found - star.begin()];
+          if (!done)
+          {
+            sector.elements.push_back(other);
+          }
+          done = 1;
+        }
+      }
+    }
+    sortUnique(ends);
+    sector.characteristic = static_cast<int>(ends.size()) - halfFaces / 2 + static_cast<int>(sector.elements.size());
+    return sector;
+  }
+
+  const DualMesh& mesh;
+  const RunContext& context;
+  std::vector<char> inTube;
+  Buckets elementsOf;
+};
+
+/// Returns for each point the first of those that become one with it: points of the two sides of the cut that have the
+/// same vertex.
+std::vector<Index> firstOfSame(const DualMesh& mesh, const EdgeTubes& tubes, const std::vector<Index>& vertexOf)
+{
+  UnionFind sets(mesh.points.size());
+  for (Index f = tubes.firstFace; f < tubes.firstFace + tubes.faceCount; f += 2)
+  {
+    for (const Index p : cornersOf(mesh, mesh.boundaryFaces[f]))
+    {
+      for (const Index q : cornersOf(mesh, mesh.boundaryFaces[f + 1]))
+      {
+        if (vertexOf[p] == vertexOf[q])
+        {
+          sets.join(p, q);
+        }
+      }
+    }
+  }
+  std::vector<Index> first(mesh.points.size());
+  for (Index p = 0; p < first.size(); ++p)
+  {
+    first[p] = sets.find(p);
+  }
+  return first;
+}
+
+} // namespace
+
+EdgeTubes findEdgeTubes(const DualMesh& mesh, const RunContext& context)
+{
+  EdgeTubes tubes;
+  const SheetEdges sheets = findSheetEdges(mesh, context);
+  const std::vector<Index> inFront = chosenNumbers(mesh.elementCount(), context.executor, [&](std::size_t e) {
+    return hasMarked(mesh.corners[e], sheets.points) && isInTube(mesh, sheets, static_cast<Index>(e));
+  });
+  tubes.elements = TubeCloser(mesh, context).run(inFront);
+  return tubes;
+}
+
+void cutTubes(DualMesh& mesh, Index surfaceCount, EdgeTubes& tubes)
+{
+  for (BoundaryFace& face : mesh.boundaryFaces)
+  {
+    face.tag += face.tag < surfaceCount ? 0 : tagsOfTubes;
+  }
+  tubes.firstFace = static_cast<Index>(mesh.boundaryFaces.size());
+  for (const Index e : tubes.elements)
+  {
+    for (std::uint8_t direction = 0; direction < 6; ++direction)
+    {
+      const std::int32_t code = mesh.neighbors[e][direction];
+      if (code < 0 || std::ranges::binary_search(tubes.elements, static_cast<Index>(code)))
+      {
+        continue;
+      }
+      const auto other = static_cast<Index>(code);
+      const auto found = std::ranges::find(mesh.neighbors[other], static_cast<std::int32_t>(e));
+      const auto there = static_cast<std::uint8_t>(found - mesh.neighbors[other].begin());
+      mesh.neighbors[other][there] = ~static_cast<std::int32_t>(mesh.boundaryFaces.size());
+      mesh.boundaryFaces.push_back({other, surfaceCount, e, there, SheetSide::front, false});
+      mesh.neighbors[e][direction] = ~static_cast<std::int32_t>(mesh.boundaryFaces.size());
+      mesh.boundaryFaces.push_back({e, surfaceCount + 1, other, direction, SheetSide::back, false});
+    }
+  }
+  tubes.faceCount = static_cast<Index>(mesh.boundaryFaces.size()) - tubes.firstFace;
+  for (ZoneFace& zone : mesh.zoneFaces)
+  {
+    const std::int32_t code = mesh.neighbors[zone.element][zone.direction];
+    if (const Index cut = DualMesh::isBoundary(code) ? DualMesh::boundaryFaceOf(code) : 0;
+        tubes.has(cut) && mesh.boundaryFaces[cut].tag == surfaceCount)
+    {
+      const BoundaryFace& inside = mesh.boundaryFaces[cut + 1];
+      zone = {inside.element, zone.tag, inside.direction,
+              zone.side == SheetSide::front ? SheetSide::back : SheetSide::front};
+    }
+  }
+}
+
+void addTubes(LayerOptions& options)
+{
+  const auto at = static_cast<std::ptrdiff_t>(options.surfaceCount());
+  const int most = std::ranges::max(options.ofTag, {}, &WallLayers::layers).layers;
+  options.ofTag.insert(options.ofTag.begin() + at, {WallLayers{.layers = most}, WallLayers{.layers = 0}});
+  if (!options.supporting.empty())
+  {
+    options.supporting.insert(options.supporting.begin() + at, {SupportingLayer::everywhere, SupportingLayer::none});
+  }
+}
+
+void keepTubes(const DualMesh& mesh, const EdgeTubes& tubes, LayerWalls& walls)
+{
+  for (const Index e : tubes.elements)
+  {
+    for (const Index p : mesh.corners[e])
+    {
+      walls.counts[p] = 0;
+    }
+  }
+  for (Index f = tubes.firstFace; f < tubes.firstFace + tubes.faceCount; f += 2)
+  {
+    walls.roles[f + 1] = FaceRole::tube;
+  }
+}
+
+JoinedTubes joinTubes(DualMesh& mesh, const EdgeTubes& tubes, const std::vector<Index>& vertexOf, Index surfaceCount)
+{
+  const std::vector<Index> first = firstOfSame(mesh, tubes, vertexOf);
+  std::vector<char> stays(mesh.points.size());
+  for (Index p = 0; p < stays.size(); ++p)
+  {
+    stays[p] = first[p] == p ? 1 : 0;
+  }
+  JoinedTubes out{.points = numbersOfKept(stays), .faces = {}};
+  compact(mesh.points, out.points);
+  std::ranges::transform(first, out.points.begin(), [&](Index p) { return out.points[p]; });
+  stays.assign(mesh.boundaryFaces.size(), 1);
+  std::fill_n(stays.begin() + tubes.firstFace, tubes.faceCount, 0);
+  out.faces = numbersOfKept(stays);
+  compact(mesh.boundaryFaces, out.faces);
+  for (BoundaryFace& face : mesh.boundaryFaces)
+  {
+    face.tag -= face.tag < surfaceCount ? 0 : tagsOfTubes;
+  }
+  for (std::size_t e = 0; e < mesh.elementCount(); ++e)
+  {
+    for (Index& p : mesh.corners[e])
+    {
+      p = out.points[p];
+    }
+    for (std::int32_t& code : mesh.neighbors[e])
+    {
+      code = DualMesh::isBoundary(code) ? ~static_cast<std::int32_t>(out.faces[DualMesh::boundaryFaceOf(code)]) : code;
+    }
+  }
+  return out;
+}
+
+} // namespace atria
