@@ -231,6 +231,24 @@ private:
   Buckets elementsOf;
 };
 
+/// Returns the direction in which an element sees the face that another one sees in `direction`.
+std::uint8_t directionOfSame(const DualMesh& mesh, Index e, int direction, Index other)
+{
+  const auto pointsOf = [&](Index of, int to) {
+    std::array<Index, 4> points;
+    std::ranges::transform(hexahedronFace[to], points.begin(), [&](std::uint8_t c) { return mesh.corners[of][c]; });
+    std::ranges::sort(points);
+    return points;
+  };
+  std::uint8_t there = 0;
+  while (mesh.neighbors[other][there] != static_cast<std::int32_t>(e) ||
+         pointsOf(other, there) != pointsOf(e, direction))
+  {
+    ++there;
+  }
+  return there;
+}
+
 /// Returns for each point the first of those that become one with it: points of the two sides of the cut that have the
 /// same vertex.
 std::vector<Index> firstOfSame(const DualMesh& mesh, const EdgeTubes& tubes, const std::vector<Index>& vertexOf)
@@ -287,8 +305,7 @@ void cutTubes(DualMesh& mesh, Index surfaceCount, EdgeTubes& tubes)
         continue;
       }
       const auto other = static_cast<Index>(code);
-      const auto found = std::ranges::find(mesh.neighbors[other], static_cast<std::int32_t>(e));
-      const auto there = static_cast<std::uint8_t>(found - mesh.neighbors[other].begin());
+      const std::uint8_t there = directionOfSame(mesh, e, direction, other);
       mesh.neighbors[other][there] = ~static_cast<std::int32_t>(mesh.boundaryFaces.size());
       mesh.boundaryFaces.push_back({other, surfaceCount, e, there, SheetSide::front, false});
       mesh.neighbors[e][direction] = ~static_cast<std::int32_t>(mesh.boundaryFaces.size());

@@ -238,16 +238,12 @@ private:
   void moveBoundary(Index f)
   {
     BoundaryFace& face = out.mesh.boundaryFaces[f];
-    const Index behind = faceBehind(plain, plain.boundaryFaces[f]);
     if (walls.roles[f] == FaceRole::tube)
     {
-      const Index beside = stackOf(behind) > 0 ? prismAt(behind, 0) : face.opposite;
-      const BoundaryFace& other = plain.boundaryFaces[behind];
-      out.mesh.neighbors[face.element][face.direction] = static_cast<std::int32_t>(beside);
-      out.mesh.neighbors[beside][other.direction] = static_cast<std::int32_t>(face.element);
-      face.opposite = beside;
+      joinTube(f);
       return;
     }
+    const Index behind = faceBehind(plain, plain.boundaryFaces[f]);
     if (behind != noIndex && stackOf(behind) > 0)
     {
       face.opposite = prismAt(behind, 0);
@@ -257,6 +253,16 @@ private:
       out.mesh.neighbors[face.element][face.direction] = static_cast<std::int32_t>(prismAt(f, stackOf(f) - 1));
       face.element = prismAt(f, 0);
     }
+  }
+
+  /// Makes the elements on both sides of a tube's face neighbors. The face outside comes before it.
+  void joinTube(Index f)
+  {
+    BoundaryFace& inside = out.mesh.boundaryFaces[f];
+    const BoundaryFace& outside = plain.boundaryFaces[f - 1];
+    inside.opposite = stackOf(f - 1) > 0 ? prismAt(f - 1, 0) : outside.element;
+    out.mesh.neighbors[inside.element][inside.direction] = static_cast<std::int32_t>(inside.opposite);
+    out.mesh.neighbors[inside.opposite][outside.direction] = static_cast<std::int32_t>(inside.element);
   }
 
   /// Gives the faces between the prisms on either side of a zone's faces to the zone.
