@@ -8,6 +8,7 @@
 #include "Support/UnionFind.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -64,8 +65,8 @@ SheetEdges findSheetEdges(const DualMesh& mesh, const RunContext& context)
 }
 
 /// True if an element lies in front of a boundary edge: it has one but no wall along it, or a point of one but no other
-/// edge of a wall there.
-bool isInTube(const DualMesh& mesh, const SheetEdges& sheets, Index e)
+/// edge of a wall anywhere.
+bool isInTube(const DualMesh& mesh, const SheetEdges& sheets, const std::vector<char>& onBoundary, Index e)
 {
   const auto isAmong = [](const std::vector<Edge>& edges, Edge edge) {
     return std::ranges::binary_search(edges, edge);
@@ -88,7 +89,12 @@ bool isInTube(const DualMesh& mesh, const SheetEdges& sheets, Index e)
       state[d] |= (sheets.points[mesh.corners[e][d]] ? 1 : 0) | other;
     }
   }
-  return hasEdge || std::ranges::find(state, 1) != state.end();
+  bool isOff = true; // walls, but for boundary edges
+  for (std::size_t c = 0; c < 8; ++c)
+  {
+    isOff = isOff && (!onBoundary[mesh.corners[e][c]] || state[c] == 1);
+  }
+  return hasEdge || (isOff && std::ranges::find(state, 1) != state.end());
 }
 
 /// The elements of a sector around a point: those outside of tubes that are connected through faces at the point.
@@ -148,18 +154,89 @@ public:
 private:
   static bool isPinched(const Sector& sector) { return sector.isOpen && sector.characteristic != 1; }
 
-  /// Adds the pinched sectors at a point to tubes, and their points to the list.
+  /// Adds elements of the pinched sectors at a point to tubes, and their points to the list.
   void add(Index point, std::vector<Index>& points)
   {
     for (const Sector& sector : sectorsAt(point))
     {
-      for (std::size_t i = 0; i < sector.elements.size() && isPinched(sector); ++i)
+      const std::vector<Index> some = isPinched(sector) ? atPinchedEdges(sector, point) : std::vector<Index>();
+      for (const Index e : !isPinched(sector) || !some.empty() ? some : sector.elements)
       {
-        const Index e = sector.elements[i];
         inTube[e] = 1;
         points.insert(points.end(), mesh.corners[e].begin(), mesh.corners[e].end());
       }
     }
+  }
+
+  /// Elements of a sector around an edge, that are connected through faces at the edge.
+  struct EdgeGroup
+  {
+    std::vector<Index> elements;
+    int walls = 0;
+  };
+
+  /// Returns the elements to be added to tubes so that the rest around each edge at the point is connected: all groups
+  /// but the one with most walls.
+  std::vector<Index> atPinchedEdges(const Sector& sector, Index point) const
+  {
+    std::vector<std::pair<Index, Index>> atEdges; // end of the edge, and element
+    for (const Index e : sector.elements)
+    {
+      for (int direction = 0; direction < 6; ++direction)
+      {
+        const ReducedFace face = faceOf(mesh.corners[e], direction);
+        const auto at = std::ranges::find(face.loop(), point) - face.loop().begin();
+        if (face.count >= 3 && at < face.count)
+        {
+          atEdges.emplace_back(face.points[(at + 1) % face.count], e);
+          atEdges.emplace_back(face.points[(at + face.count - 1) % face.count], e);
+        }
+      }
+    }
+    sortUnique(atEdges);
+    std::vector<Index> out;
+    for (auto begin = atEdges.begin(); begin != atEdges.end();)
+    {
+      const auto end = std::find_if(begin, atEdges.end(), [&](const auto& at) { return at.first != begin->first; });
+      std::vector<Index> around;
+      std::transform(begin, end, std::back_inserter(around), [](const auto& at) { return at.second; });
+      std::vector<EdgeGroup> groups = groupsAround(around, point, begin->first);
+      std::ranges::stable_sort(groups, std::greater(), &EdgeGroup::walls);
+      for (std::size_t i = 1; i < groups.size(); ++i)
+      {
+        out.insert(out.end(), groups[i].elements.begin(), groups[i].elements.end());
+      }
+      begin = end;
+    }
+    return out;
+  }
+
+  std::vector<EdgeGroup> groupsAround(std::vector<Index> left, Index p, Index q) const
+  {
+    std::vector<EdgeGroup> groups;
+    while (!left.empty())
+    {
+      EdgeGroup& group = groups.emplace_back();
+      group.elements.push_back(left.front());
+      left.erase(left.begin());
+      for (std::size_t i = 0; i < group.elements.size(); ++i)
+      {
+        const Index e = group.elements[i];
+        for (int direction = 0; direction < 6; ++direction)
+        {
+          group.walls += DualMesh::isBoundary(mesh.neighbors[e][direction]) ? 1 : 0;
+          const ReducedFace face = faceOf(mesh.corners[e], direction);
+          const auto hasPoint = [&](Index point) { return std::ranges::find(face.loop(), point) != face.loop().end(); };
+          const auto found = std::ranges::find(left, across(e, direction));
+          if (found != left.end() && hasPoint(p) && hasPoint(q))
+          {
+            group.elements.push_back(*found);
+            left.erase(found);
+          }
+        }
+      }
+    }
+    return groups;
   }
 
   /// Returns the element across a face if it is outside of tubes; else noIndex.
@@ -281,8 +358,9 @@ EdgeTubes findEdgeTubes(const DualMesh& mesh, const RunContext& context)
 {
   EdgeTubes tubes;
   const SheetEdges sheets = findSheetEdges(mesh, context);
+  const std::vector<char> onBoundary = boundaryPoints(mesh, context.executor);
   const std::vector<Index> inFront = chosenNumbers(mesh.elementCount(), context.executor, [&](std::size_t e) {
-    return hasMarked(mesh.corners[e], sheets.points) && isInTube(mesh, sheets, static_cast<Index>(e));
+    return hasMarked(mesh.corners[e], sheets.points) && isInTube(mesh, sheets, onBoundary, static_cast<Index>(e));
   });
   tubes.elements = TubeCloser(mesh, context).run(inFront);
   return tubes;
