@@ -35,6 +35,9 @@ constexpr QualityRange largestAngleOfDivided{0.342, 0.5};
 /// How far the last limit is inside the largest angle.
 constexpr double angleMargin = 0.01;
 
+/// Range of scaled Jacobians of meshes that have hexahedra only.
+constexpr double leastOfHexahedra = -0.5;
+constexpr double goodOfHexahedra = 0.5;
 /// Scaled Jacobian of crease sheets. At a corner of three surfaces at right angles the most is 0.41.
 constexpr QualityRange creaseJacobian{0.3, 0.31};
 /// Cosine of their non-orthogonality: 60 degrees.
@@ -292,6 +295,27 @@ QualityTargets targetsOfChecks(const MeshTraits& traits)
   targets.determinantRoot.limit =
       std::min(targets.determinantRoot.limit, std::sqrt(std::sqrt(checkLimits::determinant)));
   return targets;
+}
+
+QualityTargets targetsOfHexahedra()
+{
+  constexpr QualityRange anything{0.0, 0.0};
+  QualityTargets targets;
+  targets.pyramidCosine = targets.faceCosine = targets.skewness = targets.weight = targets.volumeRatio = anything;
+  targets.cornerVolume = targets.boundaryShape = targets.convexity = targets.determinantRoot = anything;
+  targets.scaledJacobian = goodOfHexahedra;
+  return targets;
+}
+
+ImproverStage hexahedraStage(const MeshTraits& traits)
+{
+  ImproverStage stage = straighteningStage(traits, lastAngles(traits));
+  QualityTargets& targets = stage.options.targets;
+  targets.jacobianLimit = leastOfHexahedra;
+  targets.scaledJacobian = goodOfHexahedra;
+  targets.leastOfJacobian = -infinity;
+  stage.options.rings = 1;
+  return stage;
 }
 
 std::vector<ImproverStage> soundCreaseStages(const MeshTraits& traits)

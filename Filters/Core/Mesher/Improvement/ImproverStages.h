@@ -101,6 +101,10 @@ std::vector<ImproverStage> straighteningStages(const MeshTraits& traits);
 QualityTargets targetsOfLargestAngle(const MeshTraits& traits);
 inline constexpr std::array reachesForAngles{smallReach, largeReach};
 
+/// In meshes of hexahedra only, those that fall short of these targets are improved after that.
+QualityTargets targetsOfHexahedra();
+ImproverStage hexahedraStage(const MeshTraits& traits);
+
 /// 8. Points of layers go to requested heights, as far as cells keep to these targets.
 QualityTargets targetsOfHeights(const MeshTraits& traits);
 

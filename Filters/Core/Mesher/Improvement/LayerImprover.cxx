@@ -82,6 +82,10 @@ void finishWhole(ImproverState& state, VertexDetachment& detachment, CurvedWalls
   }
   enter(state, whole, 0.7, 0.9, "Straightening elements");
   straighten(state, detachment);
+  if (state.traits.wraps)
+  {
+    state.run(hexahedraStage(state.traits), state.findShort(targetsOfHexahedra()));
+  }
   supportMore(state, detachment);
 }
 
