@@ -148,6 +148,26 @@ TEST(RandomHexahedra, MeshSoups)
   }
 }
 
+/// Layers go round tubes in front of the edges of open triangles, which cross each other, too.
+TEST(RandomHexahedra, MeshSoupsWithALayer)
+{
+  for (unsigned seed = 0; seed < static_cast<unsigned>(campaign(4, 100)); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    DualMeshOptions options;
+    options.zoneRule = ZoneRule::all;
+    options.hexahedra = true;
+    options.layers = {{"*", {.layers = 1}}};
+    const TriangleSurface soup = randomSoup(seed);
+    const Meshed meshed = meshIt(soup, gridAround(seed), options, 2);
+    EXPECT_TRUE(isValid(meshed.mesh(), 0));
+    EXPECT_EQ(countOthers(meshed.mesh()), 0);
+    const auto leftOut = std::ranges::count(meshed.result.diagnostics, Diagnostic::leftOutElement, &Diagnostic::kind);
+    EXPECT_LE(static_cast<double>(leftOut), 1e-4 * static_cast<double>(meshed.mesh().elementCount()));
+    EXPECT_TRUE(identical(meshed.mesh(), meshIt(soup, gridAround(seed), options, 3).mesh()));
+  }
+}
+
 TEST(RandomHexahedra, MeshClosedSolidsWithALayer)
 {
   for (unsigned seed = 0; seed < static_cast<unsigned>(campaign(4, 40)); ++seed)

@@ -104,7 +104,10 @@ void VertexDetachment::make(RoomStep step, const std::vector<ShortCell>& bad)
   state_.context.progress.check();
   if (step == RoomStep::exclude)
   {
-    exclude(bad);
+    if (!state_.traits.wraps) // layers then end nowhere
+    {
+      exclude(bad);
+    }
     return;
   }
   if (step == RoomStep::leaveSides)
