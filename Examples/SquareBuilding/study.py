@@ -31,7 +31,8 @@ MODELS = {"realizable": "realizable k-epsilon", "k-epsilon": "k-epsilon", "k-ome
 @dataclass(frozen=True)
 class Row:
     name: str
-    kind: str  # uniform, adaptive, layered, empty (as layered, without the building): by Atria; snappy: by snappyHexMesh
+    kind: str  # uniform, adaptive, layered, hexahedra (as layered, only these), empty (as layered, without the
+    # building): by Atria; snappy: by snappyHexMesh
     across: int  # elements across the building's width
     turbulence: str = "realizable"
     inflow: str = "measured"  # or logarithmic, as the case has it by itself
@@ -43,7 +44,8 @@ class Row:
         return B / self.across
 
 
-KINDS = {"uniform": (6, 8, 12, 16), "adaptive": (8, 12, 16, 24), "layered": (8, 12, 16, 24), "snappy": (8, 12, 16, 24)}
+KINDS = {"uniform": (6, 8, 12, 16), "adaptive": (8, 12, 16, 24), "layered": (8, 12, 16, 24),
+         "hexahedra": (8, 12, 16), "snappy": (8, 12, 16, 24)}
 # By elements across. From these on the drag of adaptive meshes changes by some 1e-4 of itself; uniform ones settle later.
 ITERATIONS = {6: 300, 8: 300, 12: 300, 16: 400, 24: 500}
 UNIFORM_ITERATIONS = 500
@@ -74,13 +76,15 @@ def rows():
 
 
 def mesh_by_atria(atria, row, model, folder):
-    adaptive, layers = row.kind != "uniform", int(row.kind in ("layered", "empty"))
+    adaptive, layers = row.kind != "uniform", int(row.kind in ("layered", "hexahedra", "empty"))
     bounds = [c for pair in make_building.DOMAIN for c in pair]
     command = [atria, "mesh", model, "-o", folder / "mesh.vtu", "--domain", *bounds, "--size-min", row.finest, "--size-mid",
                row.finest, "--size-max", FAR * row.finest if adaptive else row.finest, "--layers", layers,
                "--start-level", 3, "--threads", 1]
     if not layers:
         command += ["--no-support"]  # nor where elements cannot be valid without: these rows tell what a layer changes
+    if row.kind == "hexahedra":
+        command += ["--hex"]
     if adaptive:
         near = [c for pair in make_building.NEAR for c in pair]
         command += ["--size", "Ground", GROUND * row.finest, "--refine-box", *near, row.finest]
