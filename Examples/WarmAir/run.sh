@@ -3,7 +3,7 @@
 # with several sources of heat and compares with formulas. Everything goes to build/warm-air.
 #
 #   run.sh           the room with one heat: two minutes
-#   run.sh --study   all rows of docs/ventilation.md: ten minutes. It goes on where it stopped; rows may be named
+#   run.sh --study   all rows of docs/ventilation.md: a quarter of an hour. It goes on where it stopped; rows may be named
 set -euo pipefail
 
 study=Examples/WarmAir/study.py
