@@ -23,9 +23,9 @@ import numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from atria import Error
-from atria.report import Case, charts, comfort, page_of, read_climate, results
+from atria.report import Case, charts, comfort, page_of, read_climate, results, yearly
 from atria.report.__main__ import noted
-from atria.report.pictures import levels
+from atria.report.pictures import ends_within, levels
 from box_mesh import BOX, header, write_box
 
 ATRIA = pathlib.Path(sys.argv[1])
@@ -128,6 +128,16 @@ class Comfort(Folder):
             below, above = self.of_percent(4.99, speed), self.of_percent(5.01, speed)
             self.assertEqual(list(comfort.lawson(climate, [0.0], [[below, above, math.nan]])), [number, number + 1, -1])
 
+    def test_air_changes_follow_the_wind_of_each_hour(self):
+        one = [comfort.Sector(10.0, 1.0, 4.0, 2.0)]
+        self.assertAlmostEqual(yearly.mean(one, {0.0: 8.0, 180.0: 99.0}, 4.0), 8.0 * math.gamma(1.5))
+        self.assertAlmostEqual(yearly.exceeded(one, {0.0: 8.0}, 4.0, 0.5), 8.0 * math.sqrt(math.log(2.0)))
+        two = [comfort.Sector(0.0, 0.25, 4.0, 1.0), comfort.Sector(180.0, 0.75, 2.0, 1.0)]
+        self.assertAlmostEqual(yearly.mean(two, {0.0: 8.0, 180.0: 2.0}, 4.0), 0.25 * 8.0 + 0.75 * 1.0)
+        # No air comes in by the first: three quarters of the hours have some.
+        self.assertAlmostEqual(yearly.exceeded(two, {0.0: 0.0, 180.0: 2.0}, 4.0, 0.25), math.log(3.0))
+        self.assertEqual(round(yearly.exceeded(two, {0.0: 0.0, 180.0: 2.0}, 4.0, 0.9), 9), 0.0)
+
     def test_shares_leave_out_what_is_not_known(self):
         self.assertEqual(comfort.shares([0, 0, 1, -1, 3], 4), [0.5, 0.25, 0.0, 0.25])
 
@@ -217,6 +227,15 @@ class Results(Folder):
         self.assertEqual(written[:2], names[:2])
         self.assertEqual(len(set(written)), 4)
         self.assertLess(len(written[2]), len(names[2]))
+
+    def test_sections_end_where_the_domain_does(self):
+        box, place = (-10.0, 10.0, -4.0, 4.0, 0.0, 3.0), numpy.array([5.0, 2.0, 0.0])
+        self.assertEqual(ends_within(box, place, numpy.array([1.0, 0.0, 0.0])), (-10.0, 10.0))
+        self.assertEqual(ends_within(box, place, numpy.array([0.0, -1.0, 0.0])), (-4.0, 4.0))
+        way = numpy.array([0.6, 0.8, 0.0])
+        low, high = ends_within(box, place, way)
+        for distance, wanted in ((low, -4.0), (high, 4.0)):
+            self.assertAlmostEqual((place + (distance - place @ way) * way)[1], wanted)
 
     def test_levels_cut_every_opening(self):
         self.assertEqual(levels([(1.0, 2.5), (0.0, 2.0), (4.0, 5.0), (3.0, 6.0)]), [1.5, 4.5])
@@ -424,6 +443,11 @@ class Runs(Folder):
                 into += 0.5 * (both + (net if opening["rooms"][1] != "outside" else -net))
             wanted = into * 3600 / sum(case.volumes.values())
             self.assertAlmostEqual(float(summary[run.title][1]), wanted, delta=0.02 * wanted)
+        hours = comfort.at_reference(read_climate(climate), 10.0, 0.03, case.described)
+        by_direction = {run.origin: run.all_air_changes().last() for run in case.runs}
+        wanted = sum(s.frequency * s.scale * math.gamma(1.5) / 5.0 * by_direction[s.origin] for s in hours)
+        self.assertAlmostEqual(float(summary["mean over the climate's hours"][1]), wanted, delta=0.01 * wanted)
+        self.assertLess(float(summary["exceeded in 90 % of them"][1]), float(summary["exceeded in 50 % of them"][1]))
         self.assertEqual(page.headings, ["Rooms and openings", "What to doubt", "Speed 1.75 m above the ground", "The flow",
                                          "Wind comfort", "Mesh and wind", "Convergence"])
         # Of each direction the ground, a section through openings, one along the wind and one in space; classes of three kinds.

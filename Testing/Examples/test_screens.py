@@ -14,7 +14,7 @@ import sys
 import tempfile
 import unittest
 
-from atria.report import Case
+from atria.report import Case, screens
 from box_mesh import header, write_box
 from decomposed import MPI
 
@@ -149,6 +149,24 @@ class Screens(unittest.TestCase):
         self.assertAlmostEqual((pressure[12] - pressure[4]) * DENSITY / (40.0 - 10.0 * speed), 1.0, delta=0.02)
         report = self.atria("report", folder)
         self.assertEqual((report.returncode, report.stderr), (0, ""))
+        page = (folder / "report.html").read_text(encoding="utf-8")
+        self.assertIn("<td>fan, 0 to 40 Pa</td>", page)
+        self.assertIn("<td>screen, K = 3</td>", page)
+        case = Case(folder)
+        rows = {name: values for name, _, *values in screens.rows(case.screens, case.runs[0].openings, case.runs[0].fields)}
+        for name, wanted in (("Fan", 40.0 - 10.0 * speed), ("Wall_opening_1", -3.0 * DENSITY * speed**2 / 2.0)):
+            flow, mean, measured, by_rule = rows[name]
+            self.assertAlmostEqual(flow / speed, 1.0, delta=0.01)
+            self.assertAlmostEqual(mean / speed, 1.0, delta=0.01)
+            self.assertAlmostEqual(measured / wanted, 1.0, delta=0.03, msg=name)
+            self.assertAlmostEqual(by_rule / wanted, 1.0, delta=0.03, msg=name)
+
+    def test_a_fan_may_blow_back(self):
+        fan, screen = screens.screens_of({"fans": [{"zone": "f", "blows_back": True, "curve": [[0, 40], [2, 0]]}],
+                                          "screens": [{"zone": "s", "resistance": 2.0, "linear": 4.0}]})[::-1]
+        self.assertEqual((fan.words, screen.words), ("fan, 0 to 40 Pa", "screen, K = 2, 4 Pa s/m"))
+        self.assertEqual(fan.rise(-1.0, 1.0), -20.0)
+        self.assertAlmostEqual(screen.rise(-1.0, 0.5), DENSITY * 2.0**2 + 4.0 * 2.0)
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ from . import results, speeds
 from .fields import Fields
 from .profile import Profile
 from .results import History
+from .screens import screens_of
 from .warmth import Warmth
 
 OUTSIDE = "outside"
@@ -297,6 +298,7 @@ class Case:
             self.pedestrian_height = float(self.described["pedestrian_height"])
             directions = [Direction.read(entry) for entry in self.described["directions"]]
             self.scalars = [scalar["name"] for scalar in self.described.get("scalars", [])]
+            self.screens = screens_of(self.described)
             self.is_room = self.described.get("kind", "wind") == "room"
             self.has_wind = self.described.get("kind", "wind") == "wind"
             if self.has_wind and any(direction.origin is None or direction.towards is None for direction in directions):
@@ -318,6 +320,11 @@ class Case:
         roughness = self.described["roughness_length"]
         height = self.mesh["bounds"][5] - self.mesh["bounds"][4]
         return self.described["friction_velocity"] / KAPPA * math.log((height + roughness) / roughness)
+
+    @property
+    def follows_the_wind(self):
+        """Whether flows are in proportion to the wind."""
+        return self.has_wind and "warm_air" not in self.described and not any(s.curve or s.linear for s in self.screens)
 
     @property
     def ventilated(self):

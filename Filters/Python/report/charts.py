@@ -50,15 +50,15 @@ def _drawable(series, logarithmic):
             yield name, times[fits][::stride], (numpy.log10(values[fits]) if logarithmic else values[fits])[::stride]
 
 
-def line_chart(title, series, logarithmic=False) -> str:
-    """Values over iterations as SVG. `series` are (name, times, values)."""
+def line_chart(title, series, logarithmic=False, along="iteration") -> str:
+    """Values over iterations, or what `along` says, as SVG. `series` are (name, times, values)."""
     drawn = list(_drawable(series, logarithmic))
     text = [
-        f'<svg viewBox="0 0 {_WIDTH} {_HEIGHT}" width="{_WIDTH}" role="img" font-family="sans-serif" font-size="11">',
+        f'<svg class="chart" viewBox="0 0 {_WIDTH} {_HEIGHT}" width="{_WIDTH}" role="img" font-family="sans-serif" font-size="11">',
         f'<text x="{_LEFT}" y="16" font-size="13" font-weight="bold">{html.escape(title)}</text>',
     ]
     if drawn:
-        text += _axes_and_lines(drawn, logarithmic)
+        text += _axes_and_lines(drawn, logarithmic, along)
     else:
         text.append(f'<text x="{_LEFT}" y="{_HEIGHT // 2}">no values</text>')
     return "\n".join([*text, "</svg>"])
@@ -72,7 +72,7 @@ def _range_of(drawn):
     return low, high
 
 
-def _axes_and_lines(drawn, logarithmic):
+def _axes_and_lines(drawn, logarithmic, along):
     first = min(times[0] for _, times, _ in drawn)
     last = max(max(times[-1] for _, times, _ in drawn), first + 1e-9)
     low, high = _range_of(drawn)
@@ -95,7 +95,7 @@ def _axes_and_lines(drawn, logarithmic):
         text.append(f'<path d="M{x:.1f} {bottom}v4" stroke="#444"/>'
                     f'<text x="{x:.1f}" y="{bottom + 16}" text-anchor="middle">{tick:.6g}</text>')
     text.append(f'<path d="M{_LEFT} {_TOP}V{bottom}H{right}" fill="none" stroke="#444"/>'
-                f'<text x="{right}" y="{_HEIGHT - 4}" text-anchor="end">iteration</text>')
+                f'<text x="{right}" y="{_HEIGHT - 4}" text-anchor="end">{along}</text>')
     for i, (name, times, values) in enumerate(drawn):
         points = " ".join(f"{place_x(t):.1f},{place_y(v):.1f}" for t, v in zip(times, values))
         text += _line(i, name, points, right)

@@ -85,15 +85,18 @@ class Fields:
         return self._mean_over(self.mesh, array)
 
     @staticmethod
-    def _mean_over(grid, array):
-        if grid is None or not grid.GetCellData().HasArray(array):
+    def _mean_over(grid, array, size="Volume"):
+        if grid is None or not grid.GetNumberOfCells() or not grid.GetCellData().HasArray(array):
             return None
         sizes = vtkCellSizeFilter()
         sizes.SetInputData(grid)
-        sizes.ComputeVolumeOn()
         sizes.Update()
         data = sizes.GetOutput().GetCellData()
-        return float(numpy.average(vtk_to_numpy(data.GetArray(array)), weights=vtk_to_numpy(data.GetArray("Volume"))))
+        return float(numpy.average(vtk_to_numpy(data.GetArray(array)), weights=vtk_to_numpy(data.GetArray(size))))
+
+    def mean_over_patch(self, patch, array):
+        """Over the faces of a patch by their areas; None where either is not there."""
+        return self._mean_over(self.patches.get(patch), array, "Area")
 
     def inside(self, zones, places):
         """Whether places lie in cell zones."""

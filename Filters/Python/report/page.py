@@ -8,21 +8,27 @@ import html
 import numpy
 
 from ..errors import Error
-from . import charts, comfort, pictures, results
+from . import charts, comfort, pictures, results, screens, yearly
 from .case import MOST_Y_PLUS, OUTSIDE
 
 _STYLE = """body { font-family: Arial, Helvetica, sans-serif; color: #282828; }
 body { margin: 24px auto; max-width: 1180px; padding: 0 16px; }
-h2 { border-bottom: 1px solid #ccc; padding-bottom: 4px; margin-top: 36px; }
-table { border-collapse: collapse; margin: 12px 0; } th, td { padding: 3px 14px; text-align: right; vertical-align: top; }
-th { border-bottom: 1px solid; }
+h2 { border-bottom: 1px solid #ccc; padding-bottom: 4px; margin-top: 36px; break-after: avoid; }
+.wide { overflow-x: auto; margin: 12px 0; }
+table { border-collapse: collapse; } th, td { padding: 3px 14px; text-align: right; vertical-align: top; }
+th { border-bottom: 1px solid; vertical-align: bottom; } td { white-space: nowrap; } tr, figure, .bar { break-inside: avoid; }
 th:first-child, td:first-child, .words th:last-child, .words td:last-child { text-align: left; }
+.words td:last-child { white-space: normal; min-width: 220px; }
 .row { display: flex; flex-wrap: wrap; gap: 16px; }
 figure { margin: 12px 0; } figcaption { color: #555; }
 img { max-width: 100%; } svg { max-width: 100%; height: auto; } summary { cursor: pointer; font-weight: bold; margin: 12px 0; }
 .bar { display: flex; align-items: center; gap: 8px; } .bar i { width: 240px; height: 12px; }
 .good { color: #2f855a; } .fair { color: #b7791f; } .bad { color: #c53030; }
-.key { max-width: 540px; } .key i { display: inline-block; width: 12px; height: 12px; margin: 0 4px 0 14px; }"""
+.key { max-width: 540px; } .key i { display: inline-block; width: 12px; height: 12px; margin: 0 4px 0 14px; }
+.chart { min-width: 560px; }
+@media (max-width: 600px) { th, td { padding: 3px 7px; } .bar i { width: 120px; } }
+@media print { body { font-size: 10pt; margin: 0; } th, td { padding: 2px 6px; } .row { display: block; }
+.row figure { display: inline-block; vertical-align: top; width: 48%; } }"""
 _WORD_STYLES = {"settled": "good", "nearly settled": "fair", "unsettled": "bad",
                 "low": "good", "levelled off": "fair", "high": "bad"}
 # In the chart of what must settle: the answers come first.
@@ -31,12 +37,13 @@ _CLASS_COLORS = ("#2f855a", "#9ac66b", "#f6e05e", "#ed8936", "#c53030")
 
 
 def _table(head, rows, kind=""):
-    """Cells are HTML. In a table of the kind `words` the last column is text."""
+    """Cells are HTML. In a table of the kind `words` the last column is text; a table may have no head."""
     def cells(tag, row):
         return "".join(f"<{tag}>{cell}</{tag}>" for cell in row)
 
     lines = "".join(f"<tr>{cells('td', row)}</tr>" for row in rows)
-    return f'<table class="{kind}"><tr>{cells("th", head)}</tr>{lines}</table>'
+    above = f"<tr>{cells('th', head)}</tr>" if head else ""
+    return f'<div class="wide"><table class="{kind}">{above}{lines}</table></div>'
 
 
 def _judgement(word):
@@ -51,7 +58,20 @@ def _folded(title, content, several):
 
 
 def _number(value, digits=3):
-    return "–" if value is None else f"{value:.{digits}g}"
+    return "–" if value is None else f"{value:.0f}" if 1e3 <= abs(value) < 1e9 else f"{value:.{digits}g}"
+
+
+def _watts(value, whole):
+    """Heat; what is a rounding error of the whole is nothing."""
+    return _number(value if value is None or abs(value) > 1e-5 * abs(whole) else 0.0, 4)
+
+
+def _percent(share):
+    return f"{100 * share:.2g} %" if abs(share) >= 1e-4 else "less than 0.01 %"
+
+
+def _time(minutes):
+    return f"{minutes:.3g} min" if minutes >= 1.0 else f"{60.0 * minutes:.3g} s"
 
 
 def _doubts_of_mesh(case):
@@ -109,7 +129,22 @@ def _doubts_as_list(found):
     return "<h2>What to doubt</h2><ul>" + "".join(f"<li>{html.escape(text)}</li>" for text in found) + "</ul>"
 
 
-def _summary(case):
+def _climate_rows(case, climate):
+    """Air changes over the hours of the climate: their mean, and what shares of hours exceed."""
+    if not climate or comfort.widest_gap(climate, [run.origin for run in case.runs]) > comfort.MOST_APART:
+        return
+    of_all = {run.origin: run.all_air_changes() for run in case.runs}
+    wholes = [of_all, *({run.origin: run.air_changes(room) for run in case.runs} for room in case.ventilated)]
+    if any(changes is None for whole in wholes for changes in whole.values()):
+        return
+    known = [{origin: changes.last() for origin, changes in whole.items()} for whole in wholes]
+    yield ["mean over the climate's hours", *(_number(yearly.mean(climate, changes, case.speed)) for changes in known)]
+    for share in yearly.SHARES:
+        exceeded = [_number(yearly.exceeded(climate, changes, case.speed, share)) for changes in known]
+        yield [f"exceeded in {100 * share:g} % of them", *exceeded]
+
+
+def _summary(case, climate):
     """The answers of all directions in one table."""
     rows = []
     for run in case.runs:
@@ -117,8 +152,17 @@ def _summary(case):
         rooms = [_number(changes.last() if (changes := run.air_changes(room)) else None) for room in case.ventilated]
         rows.append([run.title, f"<b>{_number(whole.last() if whole else None)}</b>", *rooms])
     head = ("air changes per hour", "building", *map(html.escape, case.ventilated))
-    return _table(head, rows) + ("<p>Of the building: the air that comes in from outside over the volume of all rooms that "
-                                 "openings join. Of a room: all the air that comes in, also from other rooms.</p>")
+    of_hours = list(_climate_rows(case, climate)) if case.follows_the_wind else []
+    text = _table(head, rows + of_hours)
+    text += ("<p>Of the building: the air that comes in from outside over the volume of all rooms that openings join. Of a room: all the "
+             "air that comes in, also from other rooms.</p>")
+    if of_hours:
+        text += ("<p>Over the climate's hours air changes are taken in proportion to the wind: calm hours, in which warmth alone moves "
+                 "the air, count as almost none.</p>")
+    elif climate and not case.follows_the_wind:
+        text += ("<p>With warm air, fans or screens with a linear part, air changes are not in proportion to the wind, so there is no "
+                 "mean over the climate's hours.</p>")
+    return text
 
 
 def _room_rows(case, run, fields):
@@ -153,7 +197,20 @@ def _rooms_of(case, run, fields):
     text = _table([*head, "openings"], _room_rows(case, run, fields), "words")
     head = ["opening", "area, m²", "most air goes", "this way, m³/s", "back, m³/s", "mean speed through it, m/s"]
     head += ["heat carried this way, W"] if run.warmth else []
-    return text + _table(head, [_opening_row(opening, run.warmth) for opening in run.openings])
+    text += _table(head, [_opening_row(opening, run.warmth) for opening in run.openings])
+    return text + _screens_of(case, run, fields)
+
+
+def _screens_of(case, run, fields):
+    """How the pressure changes at screens and fans, and how it should."""
+    rows = [[html.escape(name), html.escape(words), *(_number(value) for value in values)]
+            for name, words, *values in screens.rows(case.screens, run.openings, fields)]
+    if not rows:
+        return ""
+    head = ("screen or fan", "", "air through it, m³/s", "mean speed, m/s", "pressure rises by, Pa", "by its rule, Pa")
+    return _table(head, rows) + (
+        "<p>The pressure rises along the flow at fans, and falls at screens. <i>By its rule</i> takes the mean speed; what "
+        "passes unevenly loses more.</p>")
 
 
 def _opening_row(opening, warmth):
@@ -164,7 +221,7 @@ def _opening_row(opening, warmth):
     row = [html.escape(opening.name), f"{opening.area:.3g}", way, _number(most), _number(least), _number(speed)]
     if warmth:
         heat = warmth.openings.get(opening.name)
-        row.append(_number(heat.last() * (1.0 if rooms_ == opening.rooms else -1.0) if heat else None, 4))
+        row.append(_watts(heat.last() * (1.0 if rooms_ == opening.rooms else -1.0) if heat else None, warmth.heat_in()))
     return row
 
 
@@ -187,10 +244,10 @@ def ventilation(case, fields_of):
     text += _table(("patch", "role", "area, m²", "air in, m³/s", "air out, m³/s", "mean speed through it, m/s", *case.scalars),
                    _passage_rows(run))
     facts = [f"{case.mesh['volume']:.4g} m³ of air",
-             f"<b>{changes.last():.3g}</b> air changes per hour, one in {60.0 / changes.last():.3g} min"]
+             f"<b>{changes.last():.3g}</b> air changes per hour, one in {_time(60.0 / changes.last())}"]
     if case.described.get("age_of_air") and run in fields_of:
         age = fields_of[run].mean_everywhere("age")
-        facts += [f"its mean age is {age / 60.0:.3g} min"] if age is not None else []
+        facts += [f"its mean age is {_time(age / 60.0)}"] if age is not None else []
     facts += _facts_of_scalars(case, run, fields_of.get(run))
     return text + f"<p>{'; '.join(facts)}.</p>"
 
@@ -202,11 +259,11 @@ def _facts_of_scalars(case, run, fields):
 
 
 def _heat_rows(run):
-    warmth = run.warmth
+    warmth, whole = run.warmth, run.warmth.heat_in()
     yield from ((html.escape(name), "given", _number(watts, 4)) for name, watts in warmth.sources.items())
-    yield from ((html.escape(name), f"surface of {warmth.given[name]:g} °C", _number(heat.last(), 4))
+    yield from ((html.escape(name), f"surface of {warmth.given[name]:g} °C", _watts(heat.last(), whole))
                 for name, heat in warmth.surfaces.items())
-    yield from ((html.escape(name), "carried by the air", _number(-heat.last(), 4)) for name, heat in warmth.out.items())
+    yield from ((html.escape(name), "carried by the air", _watts(-heat.last(), whole)) for name, heat in warmth.out.items())
 
 
 def _heat_of(run):
@@ -217,8 +274,8 @@ def _heat_of(run):
         facts.append(f"all air of the mesh {warmth.everywhere.last():.4g} °C on average")
     facts += [f"surface of {html.escape(name)} {celsius.last():.4g} °C" for name, celsius in warmth.walls.items()]
     if missing is not None:
-        facts.append(f"<b>{warmth.heat_in():.4g}</b> W come in and <b>{warmth.heat_out():.4g}</b> W leave, a difference of "
-                     f"{100 * missing:.2g} %")
+        facts.append(f"<b>{_number(warmth.heat_in(), 4)}</b> W come in and <b>{_number(warmth.heat_out(), 4)}</b> W leave, a difference "
+                     f"of {_percent(missing)}")
     return text + f"<p>{'; '.join(facts)}.</p>"
 
 
@@ -230,14 +287,14 @@ def heat(case):
     return "<h2>Heat</h2>" + "".join(_folded(run.title, _heat_of(run), len(case.runs) > 1) for run in ran)
 
 
-def rooms(case, fields_of):
+def rooms(case, fields_of, climate):
     text = ventilation(case, fields_of) if case.is_room else ""
     if case.is_room and not case.openings:
         return text
-    return text + _rooms_and_openings(case, fields_of)
+    return text + _rooms_and_openings(case, fields_of, climate)
 
 
-def _rooms_and_openings(case, fields_of):
+def _rooms_and_openings(case, fields_of, climate):
     if not case.openings and not case.volumes:
         return ("<h2>Rooms and openings</h2><p>The mesh has no openings (face zones) and no rooms (cell zones). "
                 "<code>atria mesh --openings</code> finds them.</p>")
@@ -245,7 +302,7 @@ def _rooms_and_openings(case, fields_of):
     if not any(run.openings for run in case.runs):
         return text + "<p>No flow through openings is measured: the case has not run.</p>"
     if case.ventilated:
-        text += _summary(case)
+        text += _summary(case, climate)
     several = len(case.runs) > 1
     return text + "".join(_folded(run.title, _rooms_of(case, run, fields_of.get(run)), several) for run in case.runs)
 
@@ -264,10 +321,12 @@ def pictures_of(case, view, ratios, fields_of):
         lines = view.lines(walls) if view.flat and walls else ()
         arrows = view.arrows(fields.mesh, fields.velocity) if view.flat and len(case.runs) == 1 else ()
         text.append(charts.figure(charts.plot(charts.colored(view.image(ratio), 0.0, high), lines, arrows), run.title))
-    unit = (f"of a typical speed of warm air, {case.speed:.3g} m/s" if case.described.get("calm") else
-            f"of the mean speed at the inlets, {case.speed:.3g} m/s" if case.is_room else
-            f"of the reference speed, {case.speed:g} m/s at {case.described['reference_height']:g} m")
-    text += ["</div>", charts.color_bar(0.0, high, unit), *_scalar_pictures(case, view, fields_of, above), "<h2>The flow</h2>"]
+    if not case.is_room and not case.has_wind:  # the speed of warm air is an estimate
+        bar = charts.color_bar(0.0, high * case.speed, "m/s")
+    else:
+        bar = charts.color_bar(0.0, high, f"of the mean speed at the inlets, {case.speed:.3g} m/s" if case.is_room else
+                               f"of the reference speed, {case.speed:g} m/s at {case.described['reference_height']:g} m")
+    text += ["</div>", bar, *_scalar_pictures(case, view, fields_of, above), "<h2>The flow</h2>"]
     several = len(case.runs) > 1
     return "\n".join(text + [_folded(run.title, _flow(case, run, fields), several) for run, fields in fields_of.items()])
 
@@ -338,11 +397,11 @@ def mesh_and_wind(case):
             ("mean non-orthogonality", f"{mesh['mean_non_orthogonality']:.1f}°"), ("worst skewness", f"{mesh['worst_skewness']:.2f}"),
             ("failed checks of checkMesh", mesh["failed_checks"]), ("turbulence", html.escape(described["turbulence"]))]
     if not case.has_wind:
-        return "<h2>Mesh</h2>" + _table(("", ""), rows)
+        return "<h2>Mesh</h2>" + _table((), rows)
     rows += [("wind", f"{case.speed:g} m/s at {described['reference_height']:g} m"),
             ("roughness length", f"{described['roughness_length']:g} m"),
             ("friction velocity", f"{described['friction_velocity']:.3g} m/s")]
-    return "<h2>Mesh and wind</h2>" + _table(("", ""), rows)
+    return "<h2>Mesh and wind</h2>" + _table((), rows)
 
 
 def _profile_rows(profile):
@@ -382,12 +441,14 @@ def _converged(run):
     lines = [(name, history.times, history.values) for name, history in run.log.residuals.items()]
     drawn = [(j.name, j.history.times, j.history.values / j.scale) for j in run.judged()[:MOST_LINES] if j.scale > 0]
     last = max((h.times[-1] for h in run.log.residuals.values()), default=0.0)
-    length = f"{last:g} s" if run.warmth and run.warmth.duration > 0 else f"{int(last)} iterations"
+    is_transient = bool(run.warmth) and run.warmth.duration > 0
+    unit, length = ("seconds", f"{last:g} s") if is_transient else ("iteration", f"{int(last)} iterations")
     facts = f"<p>{length}" + (f", {run.log.seconds:,.0f} s of processor time" if run.log.seconds else "")
     if (missing := run.imbalance()) is not None:
-        facts += f"; flows into the domain and out of it differ by {100 * missing:.2g} %"
-    return (facts + ".</p>" + '<div class="row">' + charts.line_chart("Initial residuals", lines, logarithmic=True)
-            + charts.line_chart("Quantities, relative to their scale", drawn) + "</div>" + text)
+        facts += f"; flows into the domain and out of it differ by {_percent(missing)}"
+    drawings = (charts.line_chart("Initial residuals", lines, logarithmic=True, along=unit),
+                charts.line_chart("Quantities, relative to their scale", drawn, along=unit))
+    return facts + ".</p>" + '<div class="row">' + "".join(f'<div class="wide">{chart}</div>' for chart in drawings) + "</div>" + text
 
 
 def convergence(case):
@@ -414,11 +475,12 @@ def page_of(case, climate=None) -> str:
     if climate and not case.has_wind:
         raise Error(f"{case.folder} is {'a room' if case.is_room else 'calm air'}, which has no wind: leave the climate out")
     fields_of, view, ratios = _sampled(case)
-    title = html.escape(f"{'Room' if case.is_room else 'Wind case' if case.has_wind else 'Calm air'} {case.folder.resolve().name}")
+    title = html.escape(f"{'Room' if case.is_room else 'Wind' if case.has_wind else 'Calm air'}: {case.folder.resolve().name}")
     return "\n".join([
-        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>{_STYLE}</style></head>',
+        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        f'<meta name="viewport" content="width=device-width, initial-scale=1"><title>{title}</title><style>{_STYLE}</style></head>',
         f"<body><h1>{title}</h1>",
-        rooms(case, fields_of),
+        rooms(case, fields_of, climate),
         heat(case),
         doubts(case, climate),
         pictures_of(case, view, ratios, fields_of),

@@ -65,14 +65,18 @@ def _openings(run, fields):
 
 
 def fastest_near(run, fields, case):
-    """The speed at the end of the scale: what is exceeded in a hundredth of the space about the walls, up to their top."""
+    """The speed at the end of the scale: what is exceeded in a hundredth of the space about the walls, up to their top, or in calm
+    air of the rooms."""
     walls = walls_of(run, fields)
-    x0, x1, y0, y1 = surroundings(run, fields, case.mesh["bounds"])
+    rooms = case.volumes if case.described.get("calm") and walls else ()
+    x0, x1, y0, y1 = box_of(walls)[:4] if rooms else surroundings(run, fields, case.mesh["bounds"])
     z0, z1 = box_of(walls)[4:] if walls else case.mesh["bounds"][4:]
     heights = z0 + (numpy.arange(4) + 0.5) / 4 * (z1 - z0)
     sections = [Section((x0, y0, z), (1, 0, 0), (0, 1, 0), (x1 - x0, y1 - y0), columns=60) for z in heights]
     found = [numpy.linalg.norm(section.sample(fields.mesh, fields.velocity), axis=1) for section in sections]
-    return float(numpy.nanpercentile(numpy.concatenate(found), 99.0))
+    found = numpy.concatenate(found)
+    inside = numpy.concatenate([fields.inside(rooms, section.places) for section in sections]) & ~numpy.isnan(found)
+    return float(numpy.nanpercentile(found[inside] if inside.any() else found, 99.0))
 
 
 def speed_plot(section, fields, walls, high, arrows=True):
@@ -118,6 +122,16 @@ def _largest(run, fields):
     return (largest.name, fields.face_zones[largest.name]) if largest else None
 
 
+def ends_within(bounds, place, way):
+    """Where a level line through a place begins and ends in a box: distances along its way, from the origin."""
+    ends = []
+    for axis in (0, 1):
+        if abs(way[axis]) > 1e-9:
+            ends.append(sorted((bounds[2 * axis + i] - place[axis]) / way[axis] for i in (0, 1)))
+    at = float(place @ way)
+    return at + max(end[0] for end in ends), at + min(end[1] for end in ends)
+
+
 def _upright_section(run, fields, case, walls):
     """The section along the wind, or along the air from a room's inlets, and what it goes through."""
     largest = _largest(run, fields)
@@ -126,7 +140,8 @@ def _upright_section(run, fields, case, walls):
     box, margin = box_of(walls), 0.0 if case.is_room else MARGIN
     corners = numpy.array([(x, y, 0.0) for x in box[:2] for y in box[2:4]]) @ run.way
     height = box[5] - box[4]
-    first, last = corners.min() - margin * height, corners.max() + 2 * margin * height
+    begin, end = ends_within(case.mesh["bounds"], middle, run.way)
+    first, last = max(corners.min() - margin * height, begin), min(corners.max() + 2 * margin * height, end)
     corner = middle + (first - middle @ run.way) * run.way
     corner[2] = case.mesh["bounds"][4]
     top = min(box[5] + margin * height, case.mesh["bounds"][5])
@@ -190,7 +205,7 @@ def in_space(run, fields, high):
         return None
     way = run.way
     box = box_of(openings or walls)
-    reach = max(box[1] - box[0], box[3] - box[2])
+    reach = max(box[1] - box[0], box[3] - box[2], 1.5 * (box[5] - box[4]))
     seeds = scene.seeds_in(openings) if openings else scene.seeds_before(box, way)
     lines = scene.paths(fields.mesh, seeds, fields.velocity, 3.0 * reach)
     surface = _named(walls, "p")
