@@ -191,7 +191,7 @@ TEST_F(CaseHeat, HasEntriesOfEachDialect)
       EXPECT_THAT(control, HasSubstr("T               (0.99"));
       EXPECT_THAT(control, HasSubstr("heatBothWays_Door"));
       const std::string schemes = file("system", "fvSchemes");
-      EXPECT_THAT(schemes, HasSubstr("grad(p)         leastSquares;"));
+      EXPECT_THAT(schemes, HasSubstr("grad(p)         cellLimited leastSquares 0.5;"));
       EXPECT_THAT(schemes, HasSubstr(duration > 0.0 ? "div(phi,T)      Gauss" : "div(phi,T)      bounded Gauss"));
       EXPECT_THAT(file("system", "fvSolution"), HasSubstr(duration > 0.0 ? "PIMPLE" : "SIMPLE"));
       EXPECT_THAT(file("constant", "fvOptions"), HasSubstr("Tmelt           20;"));
