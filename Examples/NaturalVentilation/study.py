@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tables of docs/ventilation.md: air changes of one building by meshes of many kinds.
+"""The tables of docs/ventilation.md: air changes of one building by meshes of many kinds, with warm rooms, and over the hours of
+a year.
 
 Each row has its mesh made, its case run by OpenFOAM on one processor, and what was measured written as JSON to
 OUT/results. Rows that are there are not made again, so that the study goes on where it stopped. A row that fails is
@@ -18,9 +19,12 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Study"))
 
 import make_building  # noqa: E402
 import snappy  # noqa: E402
+import warm_rooms  # noqa: E402
+import year  # noqa: E402
 from kept_rows import Failed, command_line, go_on, known, lines_of, run  # noqa: E402
 
-WIND = ("--speed", "4", "--height", "10", "--roughness", "0.1")
+SPEED = 4.0  # of the wind, m/s
+WIND = ("--height", "10", "--roughness", "0.1")
 FEW = 200  # iterations, by which the air changes of most meshes have settled
 LAYER = 0.6  # height of the layer on ground of 2 m, meters
 NEAR_GROUND = 8.0  # of domains that are too large for fine ground, meters
@@ -41,6 +45,29 @@ class Row:
     angle: float = 0.0  # of building, domain and wind against the grid, degrees
     mesher: str = "atria"
     most_iterations: int = 500  # limiters keep residuals from falling without end; the air changes settle far earlier
+
+
+@dataclass(frozen=True)
+class WarmRow(Row):
+    """On the cheap mesh that keeps the air changes."""
+
+    ground: float = 4.0
+    fine_about: float = 24.0
+    most_iterations: int = 600
+    speed: float = SPEED  # of the wind; 0 for none, m/s
+    heat: float = 30.0  # of the rooms, W for each m² of floor
+
+
+@dataclass(frozen=True)
+class YearRow(Row):
+    """All directions of the wind on one mesh, weighted by the hours of a year."""
+
+    far: float = 16.0
+    ground: float = NEAR_GROUND
+    fine_about: float = 24.0
+    site: tuple = (500.0, 500.0)
+    sides: int = 16
+    most_iterations: int = FEW
 
 
 FAR = [Row("uniform", far=2.0), Row("far4", far=4.0), Row("far8"), Row("far16", far=16.0), Row("far32", far=32.0),
@@ -74,6 +101,9 @@ MESHERS = [Row("layers0_uniform", far=2.0, layers=0), Row("layers0", layers=0),
            Row("snappy_far8", layers=0, mesher="snappyHexMesh")]
 LAYERED_MESHERS = [Row("far8"), *(Row(f"snappy_layers{n}", layers=n, mesher="snappyHexMesh", most_iterations=FEW) for n in (1, 5)),
                    Row("layers5", layers=5)]
+WARM = [WarmRow("warm_calm", speed=0.0), WarmRow("warm_wind1", speed=1.0), WarmRow("warm_wind4"),
+        WarmRow("cold_wind4", heat=0.001)]  # as good as none, but with the schemes of warm air
+YEAR = YearRow("year")
 TABLES = {"Uniform and adaptive": FAR, "At 1.5 m": ONE_AND_A_HALF, "Across the grid": TURNED, "Finer": FINER,
           "Domains": DOMAINS, "Box and prism": PRISMS, "Layers": LAYERS, "snappyHexMesh": MESHERS,
           "snappyHexMesh with layers": LAYERED_MESHERS}
@@ -81,7 +111,7 @@ TABLES = {"Uniform and adaptive": FAR, "At 1.5 m": ONE_AND_A_HALF, "Across the g
 
 def rows():
     """Each once, those that take least first."""
-    found = {row.name: row for table in TABLES.values() for row in table}
+    found = {row.name: row for table in (*TABLES.values(), WARM, [YEAR]) for row in table}
     return sorted(found.values(), key=lambda row: row.far == row.finest)
 
 
@@ -121,7 +151,10 @@ def mesh_by_snappy(row, folder):
 
 def case_command(atria, row, mesh, case):
     """The wind comes along the domain."""
-    return [atria, "case", mesh, "-o", case, "--from", str(180.0 - row.angle), *WIND, "--iterations", str(row.most_iterations)]
+    wind = ["--from", str(180.0 - row.angle), "--speed", f"{SPEED:g}", *WIND]
+    if isinstance(row, WarmRow):
+        wind = warm_rooms.options(row, wind)
+    return [atria, "case", mesh, "-o", case, *wind, "--iterations", str(row.most_iterations)]
 
 
 def measure(case):
@@ -155,9 +188,12 @@ def make(atria, row, folder):
     make_building.main(model, *row.site, row.angle)
     mesh, seconds = mesh_by_atria(atria, row, model, folder) if row.mesher == "atria" else mesh_by_snappy(row, folder)
     case = folder / "case"
+    if isinstance(row, YearRow):
+        wind = ["--speed", f"{SPEED:g}", *WIND]
+        return {"mesh_seconds": seconds, **year.run_and_measure(atria, mesh, folder, wind, row.most_iterations)}
     run(case_command(atria, row, mesh, case), folder, "case")
     run([case / "Allrun"], folder, "run")
-    return {"mesh_seconds": seconds, **measure(case)}
+    return {"mesh_seconds": seconds, **measure(case), **(warm_rooms.measure(case) if isinstance(row, WarmRow) else {})}
 
 
 HEAD = ("row", "finest–far, m", "layers", "elements", "meshing, s", "solving, s", "iterations", "residuals", "air changes, 1/h",
@@ -184,7 +220,9 @@ def table(title, members, out):
 
 
 def tables(out):
-    return "\n".join(table(title, members, out) for title, members in TABLES.items())
+    text = [*(table(title, members, out) for title, members in TABLES.items()),
+            warm_rooms.table([(row, known(row, out)) for row in WARM]), year.table(known(YEAR, out))]
+    return "\n".join(text)
 
 
 def main(atria, out, *names):

@@ -21,8 +21,11 @@ ATRIA = pathlib.Path(sys.argv[2])
 sys.path.insert(0, str(FOLDER))
 
 import make_building  # noqa: E402
+import make_weather  # noqa: E402
 import snappy  # noqa: E402
 import study  # noqa: E402
+import warm_rooms  # noqa: E402
+import year  # noqa: E402
 from polygons import area  # noqa: E402  (make_building knows where it is)
 
 
@@ -36,7 +39,8 @@ class Study(unittest.TestCase):
         (self.out / "results").mkdir(exist_ok=True)
         result = {**dataclasses.asdict(row), "cells": 1000, "mesh_seconds": 1.0, "solve_seconds": 2.0, "iterations": 3,
                   "air_changes": 10.0, "drift": 0.001, "worst_non_orthogonality": 50.0,
-                  "residuals": {"p": 1e-4}, **values}
+                  "residuals": {"p": 1e-4}, "warmer": 1.0, "heat_balance": 0.0, "unconverged": [], "least": 5.0, "most": 20.0,
+                  "hours": {}, **values}
         (self.out / "results" / f"{row.name}.json").write_text(json.dumps(result))
 
     def main(self, atria, *names):
@@ -93,7 +97,7 @@ class Study(unittest.TestCase):
                     self.assertTrue(low[0] + 4.9 < x < high[0] - 4.9 and low[1] + 4.9 < y < high[1] - 4.9, angle)
 
     def test_a_name_means_one_row(self):
-        members = {row for table in study.TABLES.values() for row in table}
+        members = {row for table in (*study.TABLES.values(), study.WARM, [study.YEAR]) for row in table}
         self.assertEqual(len({row.name for row in members}), len(members))
 
     def test_rows_that_are_there_are_not_made_again(self):
@@ -119,7 +123,7 @@ class Study(unittest.TestCase):
         self.assertEqual(len(re.findall(r"^(far[48]): mesh ended with 3: see (.*)$", errors, re.MULTILINE)), 2)
         self.assertIn("sizes make no sense", (self.out / "rows/far8/log.mesh").read_text())
         tables = (self.out / "tables.md").read_text()
-        self.assertEqual(tables.count("| not run |"), sum(map(len, study.TABLES.values())))
+        self.assertEqual(tables.count("not run"), sum(map(len, study.TABLES.values())) + len(study.WARM) + 1)
         with self.assertRaisesRegex(SystemExit, "no row far7"):
             self.main(broken, "far7")
 
@@ -131,6 +135,43 @@ class Study(unittest.TestCase):
         self.assertTrue(all(line.count("|") == columns for line in lines[2:] if line), lines)
         self.assertIn("20.50 (+2.5 %)", lines[5])
         self.assertIn("not run", lines[6])
+
+    def test_warm_rooms_have_their_heat_with_and_without_wind(self):
+        calm, windy = ([str(word) for word in study.case_command("atria", row, "mesh", "case")] for row in study.WARM[:2])
+        self.assertIn("--calm", calm)
+        self.assertNotIn("--speed", calm)
+        self.assertEqual(windy[windy.index("--speed") + 1], "1")
+        for command in (calm, windy):  # 30 W for each of 1,248 m2
+            self.assertEqual(command[command.index("--heat") + 1:][:2], ["room_*", "37440W"])
+
+    def test_flow_by_wind_and_warmth_is_compared_with_formulas(self):
+        # 6 windows of 24 m2, 4 m high: 0.6 * 24 / 3 sqrt(9.81 * 4 * 2 / 295.15) each.
+        self.assertAlmostEqual(warm_rooms.stack_flow(2.0), 6 * 4.8 * math.sqrt(9.81 * 4.0 * 2.0 / 295.15))
+        calm, windy = study.WARM[:2]
+        results = {"air_changes": 3.0, "warmer": 4.0}, {"air_changes": 5.0, "warmer": 1.0}
+        wanted = math.hypot(warm_rooms.flow_of(4.0), warm_rooms.flow_of(1.5))
+        self.assertAlmostEqual(warm_rooms.expected(windy, results[1], results[0], 4.0), wanted)
+        self.assertIsNone(warm_rooms.expected(windy, results[1], None, 4.0))
+        for row, result in zip((calm, windy, study.WARM[3]), (*results, {"air_changes": 4.0 * study.SPEED})):
+            self.keep(row, **result)
+        lines = warm_rooms.table([(row, study.known(row, self.out)) for row in study.WARM]).splitlines()
+        self.assertEqual(len({line.count("|") for line in lines[2:]}), 1, lines)
+        self.assertIn(f"{wanted:.2f} ({100 * (warm_rooms.flow_of(5.0) / wanted - 1):+.1f} %)", lines[5])
+        self.assertIn("not run", lines[6])
+
+    def test_the_year_is_the_same_each_time(self):
+        first, again = list(make_weather.hours()), list(make_weather.hours())
+        self.assertEqual(first, again)
+        self.assertEqual(len(first), 8760)
+        weather = self.out / "year.epw"
+        make_weather.main(weather)
+        run = subprocess.run([ATRIA, "climate", weather, "--json", "--temperature", "18", "26"], capture_output=True, text=True, check=True)
+        kept = [hour for hour in first if 18 <= hour.temperature <= 26]
+        self.assertEqual(json.loads(run.stdout)["hours"]["kept"], len(kept))
+
+    def test_hours_take_the_direction_next_to_them(self):
+        hours = [make_weather.Hour(20.0, 350, 4.0), make_weather.Hour(20.0, 100, 2.0), make_weather.Hour(20.0, 0, 0.0)]
+        self.assertAlmostEqual(year.hour_by_hour(hours, {0.0: 10.0, 90.0: 20.0}, 0.25), (10.0 + 10.0 + 0.0) / 3)
 
     def test_the_other_mesher_gets_the_same_surfaces_and_sizes(self):
         commands = snappy.write_case(self.out / "case", 2.0, 8.0, make_building.SITE)
