@@ -21,10 +21,11 @@ th:first-child, td:first-child, .words th:last-child, .words td:last-child { tex
 .words td:last-child { white-space: normal; min-width: 220px; }
 .row { display: flex; flex-wrap: wrap; gap: 16px; }
 figure { margin: 12px 0; } figcaption { color: #555; }
-img { max-width: 100%; } svg { max-width: 100%; height: auto; } summary { cursor: pointer; font-weight: bold; margin: 12px 0; }
+img { max-width: 100%; } svg { max-width: 100%; height: auto; } summary { cursor: pointer; font-weight: bold; margin: 5px 0; }
 .bar { display: flex; align-items: center; gap: 8px; } .bar i { width: 240px; height: 12px; }
 .good { color: #2f855a; } .fair { color: #b7791f; } .bad { color: #c53030; }
-.key { max-width: 540px; } .key i { display: inline-block; width: 12px; height: 12px; margin: 0 4px 0 14px; }
+.key { max-width: 540px; } .key span { white-space: nowrap; margin-right: 10px; }
+.key i { display: inline-block; width: 12px; height: 12px; margin-right: 4px; }
 .chart { min-width: 560px; }
 @media (max-width: 600px) { th, td { padding: 3px 7px; } .bar i { width: 120px; } }
 @media print { body { font-size: 10pt; margin: 0; } th, td { padding: 2px 6px; } .row { display: block; }
@@ -138,7 +139,8 @@ def _climate_rows(case, climate):
     if any(changes is None for whole in wholes for changes in whole.values()):
         return
     known = [{origin: changes.last() for origin, changes in whole.items()} for whole in wholes]
-    yield ["mean over the climate's hours", *(_number(yearly.mean(climate, changes, case.speed)) for changes in known)]
+    whole, *of_rooms = (_number(yearly.mean(climate, changes, case.speed)) for changes in known)
+    yield ["mean over the climate's hours", f"<b>{whole}</b>", *of_rooms]
     for share in yearly.SHARES:
         exceeded = [_number(yearly.exceeded(climate, changes, case.speed, share)) for changes in known]
         yield [f"exceeded in {100 * share:g} % of them", *exceeded]
@@ -362,7 +364,7 @@ def _flow(case, run, fields):
 def _class_figure(title, words, found, view, lines):
     colors = [_CLASS_COLORS[round(i * 4 / (len(words) - 1))] for i in range(len(words))]
     palette = numpy.array([[int(c[i:i + 2], 16) for i in (1, 3, 5)] for c in colors] + [charts.UNKNOWN], numpy.uint8)
-    key = "".join(f'<i style="background: {color}"></i>{word} {100 * share:.1f} %'
+    key = " ".join(f'<span><i style="background: {color}"></i>{word} {100 * share:.1f} %</span>'
                   for color, word, share in zip(colors, words, comfort.shares(found, len(words))))
     return charts.figure(charts.plot(palette[view.image(found)], lines) + f'<p class="key">{key}</p>', title)
 

@@ -159,15 +159,24 @@ def wind_plot(run, fields, case, high):
     return [charts.figure(speed_plot(section, fields, walls, high), f"speed {where}")]
 
 
-def temperatures(run, fields, case):
-    """The upright section with its temperatures, and their scale."""
+def temperature_section(run, fields, case):
+    """The upright section with its temperatures as SVG, the ends of its scale, °C, and what it goes through; None without warm air."""
     walls = walls_of(run, fields)
     if not walls or not run.warmth or not fields.mesh.GetCellData().HasArray("T"):
-        return []
+        return None
     section, where = _upright_section(run, fields, case, walls)
     found = section.sample(fields.mesh, "T")
     low, high = (float(numpy.nanpercentile(found, share)) for share in (0.5, 99.5))
-    return ['<div class="row">', charts.figure(temperature_plot(section, fields, walls, low, high), f"temperature {where}"), "</div>",
+    return temperature_plot(section, fields, walls, low, high), low, high, where
+
+
+def temperatures(run, fields, case):
+    """The upright section with its temperatures, and their scale."""
+    drawn = temperature_section(run, fields, case)
+    if drawn is None:
+        return []
+    picture, low, high, where = drawn
+    return ['<div class="row">', charts.figure(picture, f"temperature {where}"), "</div>",
             charts.color_bar(low, high, "°C; arrows are the flow in the section")]
 
 
