@@ -18,8 +18,8 @@ struct LayerOptions
   std::vector<std::string> layers; ///< N or PATTERN=N[:FIRST[:GROWTH]]
   bool withoutSupport = false;
   double firstHeight = 0.0;
-  double yPlus = 0.0; ///< of the middle of the first layer, in place of its height; 0 for none
-  double speed = 0.0; ///< of the air that passes the walls, m/s; 0 if not given
+  double yPlus = 0.0; ///< y+ of the middle of the first layer, which sets its height; 0 for none
+  double speed = 0.0; ///< speed of the air that passes the walls, m/s; 0 if not given
   double growth = 0.0;
   double nonOrthogonality = 0.0;
   double skewness = 0.0;

@@ -64,7 +64,7 @@ template <typename Where> void checkCurve(const FanCurve& curve, Where&& where)
   }
 }
 
-/// What rules choose for a face zone.
+/// The screen or fan that rules choose for a face zone.
 struct Choice
 {
   std::optional<ScreenRule> screen;

@@ -49,10 +49,10 @@ FanCurve fanCurveFrom(const std::string& pressure);
 struct CaseBaffle
 {
   std::string zone;
-  Vec3 normal = Vec3::Zero(); ///< of the zone, length 1
-  double area = 0.0;          ///< m2, of its outline
-  double faceArea = 0.0;      ///< m2, of its faces, which may be somewhat uneven
-  double cellWidth = 0.0;     ///< of the thinner cells beside it, along the normal, meters
+  Vec3 normal = Vec3::Zero(); ///< unit normal of the zone
+  double area = 0.0;          ///< area of its outline, m2
+  double faceArea = 0.0;      ///< sum of its faces, m2; larger if they are uneven
+  double cellWidth = 0.0;     ///< width of the thinner cells beside it, along the normal, meters
   double resistance = 0.0;
   double linear = 0.0;
   FanCurve curve;         ///< pressures are not negative; empty for a screen

@@ -15,7 +15,7 @@ namespace atria {
 struct CenterDistances
 {
   double low = 0.0;    ///< 95 % of the area has larger ones
-  double median = 0.0; ///< by area
+  double median = 0.0; ///< half of the area has larger ones
 };
 
 struct CasePatch

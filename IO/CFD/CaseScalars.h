@@ -18,7 +18,7 @@ struct ScalarRule
 {
   std::string scalar;
   std::string pattern; ///< see matchesPattern; of a cell zone, or else of a patch
-  double amount = 0.0; ///< of a source units/s, over all that match; else units/m3 of incoming air
+  double amount = 0.0; ///< a source: units/s, over all that match; else units/m3 of incoming air
   bool isSource = true;
 };
 

@@ -42,7 +42,7 @@ constexpr CaseRow files[] = {
   {"0/omega",                                     "",                   "0/omega"},
   {"0/age",                                       "opencfd",            "0/age"}, // the Foundation's function makes it
   {"0/T",                                         "",                   "0/T"},
-  {"0/scalar",                                    "",                   "0/scalar"}, // of each passive scalar
+  {"0/scalar",                                    "",                   "0/scalar"}, // one for each passive scalar
   {"constant/transportProperties",                "opencfd",            "constant/transportProperties"},
   {"constant/physicalProperties",                 "foundation",         "constant/physicalProperties"},
   {"constant/turbulenceProperties",               "opencfd",            "constant/turbulenceProperties"},

@@ -208,7 +208,7 @@ bool divideBaffles(PolyMesh& poly, const CaseOfDirection& flow)
   return !zones.empty();
 }
 
-/// What of a mesh differs from that on file.
+/// Parts of a mesh that differ from those on file.
 struct Changes
 {
   bool faces = false;

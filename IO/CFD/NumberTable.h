@@ -19,8 +19,8 @@ struct NumberRow
 /// A kind of table.
 struct NumberTable
 {
-  std::string content; ///< what the file has, such as "trees"
-  std::string rule;    ///< what a line has, for messages
+  std::string content; ///< content of the file, such as "trees"
+  std::string rule;    ///< content of a line, for messages
   std::function<bool(const std::vector<double>&)> isRow;
 };
 

@@ -13,7 +13,7 @@ namespace {
 /// Group of patches that marks the sides of zones on file.
 constexpr const char* groupOfSides = "zoneSides";
 
-/// What became of a face: its new number, and that of the copy that its old neighbor owns.
+/// New number of a face, and that of the copy that its old neighbor owns.
 struct NewFace
 {
   Index own = noIndex;
