@@ -422,7 +422,7 @@ private:
   const RunContext& context_;
   SplitOctants split_;
   std::size_t oldVertices_;
-  std::vector<GridPoint> points_; ///< those with elements of the octree's dual first
+  std::vector<GridPoint> points_; ///< points with elements of the octree's dual come first
   std::size_t oldPoints_ = 0;
   std::vector<std::array<Index, 6>> across_;
   std::map<SplitCell, Index> vertexOf_;

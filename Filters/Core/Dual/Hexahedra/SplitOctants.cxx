@@ -50,7 +50,7 @@ struct Scheme
     double volume = 0.0;
   };
   std::array<Part, 8> parts;
-  /// Where surfaces meet, except for points of the octree's grid.
+  /// Points where surfaces meet, except for those of the octree's grid.
   std::vector<Local> points;
 };
 

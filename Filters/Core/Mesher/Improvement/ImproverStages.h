@@ -47,7 +47,7 @@ QualityTargets baseTargets(const MeshTraits& traits);
 /// of a target take part: the others are good enough, and there are many.
 ImproverStage firstStage(const MeshTraits& traits);
 
-/// Cells that fall short of these have too few neighbors wherever their points are. Where no layer is requested they
+/// Cells that fall short of these have too few neighbors, at any places of their points. If no layer is requested, they
 /// get one, as do cells that are concave at walls.
 QualityTargets targetsOfSupport(const MeshTraits& traits);
 
