@@ -2,139 +2,21 @@
 #include "Support/Scenes.h"
 
 #include "Support/Cities.h"
+#include "Support/SceneParts.h"
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <random>
+#include <optional>
 
 namespace atria::testing {
 
 namespace {
 
-/// Octants at edges of houses, and indoors, in meters.
-constexpr double outdoorSize = 0.125;
-constexpr double indoorSize = 0.15;
-/// Scenes outdoors are within 8 m of its middle, so that they can be turned in it.
-const Box3 openAir{Vec3(-10, -10, 0), Vec3(10, 10, 10)};
-
-/// Lengths and choices. Half of the seeds give multiples of a quarter of a meter, which fall on planes of the grid.
-class Draw
-{
-public:
-  explicit Draw(unsigned seed) : random_(seed), isRound_(seed / 2 % 2 == 0) {}
-
-  double length(double from, double to)
-  {
-    const double value = std::uniform_real_distribution<double>(from, to)(random_);
-    return isRound_ ? std::round(4.0 * value) / 4.0 : value;
-  }
-  int count(int from, int to) { return std::uniform_int_distribution<int>(from, to)(random_); }
-  bool chance() { return count(0, 1) == 1; }
-
-  /// The same surfaces in another order.
-  TriangleSurface shuffled(const TriangleSurface& surface)
-  {
-    std::vector<Index> order(surface.names.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::shuffle(order.begin(), order.end(), random_);
-    TriangleSurface out;
-    for (const Index id : order)
-    {
-      std::vector<std::array<Index, 3>> triangles;
-      for (Index t = 0; t < surface.triangles.size(); ++t)
-      {
-        if (surface.surfaceIds[t] == id)
-        {
-          triangles.push_back(surface.triangles[t]);
-        }
-      }
-      addSurface(out, surface.names[id], surface.points, triangles);
-    }
-    return out;
-  }
-
-private:
-  std::mt19937 random_;
-  bool isRound_;
-};
-
-double wallsOf(const Vec3& size) { return 2.0 * (size[0] + size[1]) * size[2]; }
-double floorOf(const Vec3& size) { return size[0] * size[1]; }
-
-/// The box of a size that stands on the ground about a place.
-Box3 standing(double x, double y, const Vec3& size, double base = 0.0)
-{
-  const Vec3 low(x - 0.5 * size[0], y - 0.5 * size[1], base);
-  return {low, low + size};
-}
-
-Scene outdoors()
-{
-  Scene scene;
-  MesherOptions& options = scene.options;
-  options.site.mode = DomainMode::bounds;
-  options.site.bounds = openAir;
-  options.sizes.sizeMin = outdoorSize;
-  options.sizes.sizeMid = 2.0 * outdoorSize;
-  options.sizes.sizeMax = 2.0;
-  options.mesh.layers = {{"*", {1}}};
-  return scene;
-}
-
-Scene indoors()
-{
-  Scene scene = outdoors();
-  MesherOptions& options = scene.options;
-  options.site.mode = DomainMode::surfaces;
-  options.sizes.sizeMin = options.sizes.sizeMid = indoorSize;
-  options.sizes.sizeMax = 2.0 * indoorSize;
-  scene.isIndoors = true;
-  return scene;
-}
-
-/// Turns the triangles of the surface that was added last.
-void flipLast(TriangleSurface& surface)
-{
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-  {
-    if (surface.surfaceIds[t] + 1 == surface.names.size())
-    {
-      std::swap(surface.triangles[t][1], surface.triangles[t][2]);
-    }
-  }
-}
-
-/// Adds a box whose part above `ground` is in the open.
-void addStanding(Scene& scene, const std::string& name, const Box3& box, double ground = 0.0)
-{
-  addBox(scene.surface, name, box);
-  Vec3 size = box.size();
-  size[2] = box.max[2] - ground;
-  scene.areas[name] = wallsOf(size) + floorOf(size);
-  scene.displaced += size.prod();
-  scene.footprint += floorOf(size);
-}
-
-/// Adds a sheet that lies on a wall, of which it takes the area.
-void addPane(Scene& scene, Draw& draw, const std::string& name, const std::string& wall, const Vec3& corner,
-             const Vec3& u, const Vec3& v)
-{
-  addSheet(scene.surface, name, corner, u, v);
-  if (draw.chance())
-  {
-    flipLast(scene.surface);
-  }
-  scene.areas[name] = u.cross(v).norm();
-  scene.areas[wall] -= scene.areas[name];
-}
-
 /// Houses on bases at different heights above the lowest, some without a bottom, and a cellar.
 Scene bases(unsigned seed)
 {
-  Draw draw(seed);
+  SceneDraw draw(seed);
   Scene scene = outdoors();
   scene.options.site.mode = DomainMode::automatic;
   scene.options.sizes.sizeMax = 8.0;
@@ -167,7 +49,7 @@ Scene bases(unsigned seed)
 /// Windows, a door and a skylight as faces on walls that are not cut. The house is a box, or a surface by wall.
 Scene panes(unsigned seed)
 {
-  Draw draw(seed);
+  SceneDraw draw(seed);
   Scene scene = outdoors();
   const Vec3 size(draw.length(5, 7), draw.length(4, 6), draw.length(4, 6));
   const Box3 house = standing(0, 0, size);
@@ -218,7 +100,7 @@ Scene panes(unsigned seed)
 /// Rooms in a row in a solid.
 Scene rooms(unsigned seed)
 {
-  Draw draw(seed);
+  SceneDraw draw(seed);
   Scene scene = indoors();
   const int count = draw.count(1, 3);
   const double thickness = draw.length(0.25, 0.5);
@@ -255,7 +137,7 @@ Scene rooms(unsigned seed)
 /// A room with thick walls, a wardrobe and a shelf partly in these, and a table on one leg.
 Scene furniture(unsigned seed)
 {
-  Draw draw(seed);
+  SceneDraw draw(seed);
   Scene scene = indoors();
   const double thickness = draw.length(0.25, 0.4);
   const Vec3 size(draw.length(4, 5), draw.length(3, 4), draw.length(2.5, 3));
@@ -296,7 +178,7 @@ Scene furniture(unsigned seed)
 /// A house with a bay and a balcony that go into it.
 Scene builtIn(unsigned seed)
 {
-  Draw draw(seed);
+  SceneDraw draw(seed);
   Scene scene = outdoors();
   const Vec3 house(draw.length(5, 7), draw.length(4, 6), draw.length(5, 6));
   addStanding(scene, "House", standing(0, 0, house));
@@ -322,7 +204,7 @@ Scene builtIn(unsigned seed)
 /// A house that reaches below the ground beside one that does not.
 Scene cellars(unsigned seed)
 {
-  Draw draw(seed);
+  SceneDraw draw(seed);
   Scene scene = outdoors();
   const Vec3 plain(draw.length(3, 4), draw.length(4, 6), draw.length(4, 6));
   addStanding(scene, "House", standing(-4, 0, plain));
@@ -335,7 +217,7 @@ Scene cellars(unsigned seed)
 /// A solid that is a flight of terraces.
 Scene terraces(unsigned seed)
 {
-  Draw draw(seed);
+  SceneDraw draw(seed);
   Scene scene = outdoors();
   const double depth = draw.length(4, 6);
   const int count = draw.count(2, 4);
@@ -366,7 +248,7 @@ Scene terraces(unsigned seed)
 /// A house on a slab.
 Scene slabs(unsigned seed)
 {
-  Draw draw(seed);
+  SceneDraw draw(seed);
   Scene scene = outdoors();
   const Vec3 slab(draw.length(8, 10), draw.length(7, 9), draw.length(0.5, 1.5));
   addStanding(scene, "Slab", standing(0, 0, slab));
@@ -379,37 +261,10 @@ Scene slabs(unsigned seed)
   return scene;
 }
 
-/// A closed solid over a ring of two rectangles.
-void addRing(TriangleSurface& surface, const std::string& name, const Box3& outer, const Box3& inner)
-{
-  std::vector<Vec3> points;
-  for (const double z : {outer.min[2], outer.max[2]})
-  {
-    for (const Box3& box : {outer, inner})
-    {
-      points.insert(points.end(), {Vec3(box.min[0], box.min[1], z), Vec3(box.max[0], box.min[1], z),
-                                   Vec3(box.max[0], box.max[1], z), Vec3(box.min[0], box.max[1], z)});
-    }
-  }
-  std::vector<std::array<Index, 3>> triangles;
-  const auto quad = [&](Index a, Index b, Index c, Index d) {
-    triangles.insert(triangles.end(), {{a, b, c}, {a, c, d}});
-  };
-  for (Index i = 0; i < 4; ++i)
-  {
-    const Index j = (i + 1) % 4;
-    quad(i, i + 4, j + 4, j);           // bottom
-    quad(i + 8, j + 8, j + 12, i + 12); // top
-    quad(i, j, j + 8, i + 8);           // outside
-    quad(i + 4, i + 12, j + 12, j + 4); // court
-  }
-  addSurface(surface, name, points, triangles);
-}
-
 /// A house around a court.
 Scene courtyards(unsigned seed)
 {
-  Draw draw(seed);
+  SceneDraw draw(seed);
   Scene scene = outdoors();
   const Vec3 size(draw.length(8, 10), draw.length(7, 9), draw.length(4, 6));
   const Vec3 court(draw.length(2.5, 4), draw.length(2.5, 4), size[2]);
@@ -423,7 +278,7 @@ Scene courtyards(unsigned seed)
 /// A house around a closed void.
 Scene atria(unsigned seed)
 {
-  Draw draw(seed);
+  SceneDraw draw(seed);
   Scene scene = outdoors();
   const Vec3 size(draw.length(6, 8), draw.length(6, 8), draw.length(5, 6));
   addStanding(scene, "House", standing(0, 0, size));
@@ -439,7 +294,7 @@ Scene atria(unsigned seed)
 /// Houses of unequal height whose walls coincide; in half of them fronts are in one plane.
 Scene rows(unsigned seed)
 {
-  Draw draw(seed);
+  SceneDraw draw(seed);
   Scene scene = outdoors();
   const int count = draw.count(2, 4);
   const bool isStaggered = draw.chance();
@@ -470,7 +325,7 @@ Scene rows(unsigned seed)
 /// Walls without thickness: one that stands alone, two that meet, and one off the ground.
 Scene freeWalls(unsigned seed)
 {
-  Draw draw(seed);
+  SceneDraw draw(seed);
   Scene scene = outdoors();
   const auto add = [&](const std::string& name, const Vec3& corner, const Vec3& u, double height) {
     addSheet(scene.surface, name, corner, u, Vec3(0, 0, height));
@@ -489,7 +344,7 @@ Scene freeWalls(unsigned seed)
 /// A roof without thickness on four posts.
 Scene canopies(unsigned seed)
 {
-  Draw draw(seed);
+  SceneDraw draw(seed);
   Scene scene = outdoors();
   const double width = draw.length(5, 8);
   const double depth = draw.length(5, 8);
@@ -510,7 +365,7 @@ Scene canopies(unsigned seed)
 /// Houses whose bases are sunk into a terrain that slopes.
 Scene slopes(unsigned seed)
 {
-  Draw draw(seed);
+  SceneDraw draw(seed);
   Scene scene = outdoors();
   scene.options.site.terrain = "Terrain";
   const double height = draw.length(2, 3); // at the middle
