@@ -3,6 +3,7 @@
 /// a text that begins with a brace for a group to skip, and ignores rotation and nesting of blocks.
 #include "DxfFile.h"
 #include "DxfGeometry.h"
+#include "DxfPolygons.h"
 #include "ModelFaces.h"
 #include "ModelFile.h"
 
@@ -22,8 +23,8 @@ namespace atria::model {
 namespace {
 
 using dxf::Block;
-using dxf::Corner;
 using dxf::Entity;
+using dxf::Polygon;
 using Transform = Eigen::Affine3d;
 using Entities = std::span<const Entity>;
 
@@ -49,18 +50,12 @@ private:
   void addAll(Entities entities, const Place& place);
   void add(const Entity& entity, const Place& place);
   void addInsert(const Entity& insert, const Place& place);
-  void addFace(const Entity& face, const Place& place);
-  void addSolid(const Entity& solid, const Place& place);
   void addThick(const Entity& entity, const Place& place);
-  void addCircle(const Entity& circle, const Place& place);
-  void addLightPolyline(const Entity& polyline, const Place& place);
   void addPolyline(const Entity& polyline, Entities vertices, const Place& place);
   void addPolyface(const Entity& polyline, Entities vertices, const Place& place);
-  void addGrid(const Entity& polyline, Entities vertices, const Place& place);
-  void addMesh(const Entity& mesh, const Place& place);
-  void addSides(const Entity& entity, const std::vector<Vec3>& outline, bool isClosed, bool hasCaps,
-                const Place& place);
-  void addPolygon(const std::vector<Vec3>& corners, const Entity& entity, const Place& place);
+  void addFaces(const dxf::Faces& found, const Entity& entity, const Place& place);
+  void addSides(const Entity& entity, const dxf::Outline& outline, bool hasCaps, const Place& place);
+  void addPolygon(const Polygon& corners, const Entity& entity, const Place& place);
   int partOf(const Entity& entity, const Place& place);
   void addWarnings(Model& model) const;
 
@@ -86,7 +81,7 @@ int DrawingReader::partOf(const Entity& entity, const Place& place)
   return found->second;
 }
 
-void DrawingReader::addPolygon(const std::vector<Vec3>& corners, const Entity& entity, const Place& place)
+void DrawingReader::addPolygon(const Polygon& corners, const Entity& entity, const Place& place)
 {
   if (faces.numberOfFaces() >= mostFaces)
   {
@@ -102,110 +97,37 @@ void DrawingReader::addPolygon(const std::vector<Vec3>& corners, const Entity& e
   faces.add(ids, partOf(entity, place));
 }
 
-void DrawingReader::addFace(const Entity& face, const Place& place)
+void DrawingReader::addFaces(const dxf::Faces& found, const Entity& entity, const Place& place)
 {
-  std::vector<Vec3> corners;
-  for (const int code : {10, 11, 12, 13})
+  damaged += found.damaged;
+  for (const Polygon& polygon : found.polygons)
   {
-    const auto corner = face.has(code)    ? face.point(code)
-                        : corners.empty() ? std::nullopt
-                                          : std::optional(corners.back());
-    if (!corner)
-    {
-      ++damaged;
-      return;
-    }
-    corners.push_back(*corner);
+    addPolygon(polygon, entity, place);
   }
-  addPolygon(corners, face, place);
 }
 
 /// Adds the sides of an extruded outline, and the faces at both ends.
-void DrawingReader::addSides(const Entity& entity, const std::vector<Vec3>& outline, bool isClosed, bool hasCaps,
-                             const Place& place)
+void DrawingReader::addSides(const Entity& entity, const dxf::Outline& outline, bool hasCaps, const Place& place)
 {
+  damaged += outline.damaged;
   const Place own{place.transform * dxf::objectSystem(entity), place.layer, place.depth};
   const Vec3 up(0.0, 0.0, entity.number(39, 0.0).value_or(0.0));
-  std::vector<Vec3> upper;
-  for (const Vec3& p : outline)
+  const Polygon& lower = outline.points;
+  Polygon upper;
+  for (const Vec3& p : lower)
   {
     upper.emplace_back(p + up);
   }
-  for (std::size_t i = 0; i + (isClosed ? 0 : 1) < outline.size(); ++i)
+  for (std::size_t i = 0; i + (outline.isClosed ? 0 : 1) < lower.size(); ++i)
   {
-    const std::size_t next = (i + 1) % outline.size();
-    addPolygon({outline[i], outline[next], upper[next], upper[i]}, entity, own);
+    const std::size_t next = (i + 1) % lower.size();
+    addPolygon({lower[i], lower[next], upper[next], upper[i]}, entity, own);
   }
   if (hasCaps)
   {
     addPolygon(upper, entity, own);
-    addPolygon({outline.rbegin(), outline.rend()}, entity, own);
+    addPolygon({lower.rbegin(), lower.rend()}, entity, own);
   }
-}
-
-/// Adds SOLID or TRACE, whose last two corners are in the other order.
-void DrawingReader::addSolid(const Entity& solid, const Place& place)
-{
-  std::vector<Vec3> corners;
-  for (const int code : {10, 11, 13, 12})
-  {
-    const auto corner = solid.point(solid.has(code) ? code : 12);
-    if (!corner)
-    {
-      ++damaged;
-      return;
-    }
-    corners.push_back(*corner);
-  }
-  addSides(solid, corners, true, true, place);
-}
-
-void DrawingReader::addCircle(const Entity& circle, const Place& place)
-{
-  constexpr double step = 10.0;
-  const auto center = circle.point(10);
-  const double radius = circle.number(40, 0.0).value_or(0.0);
-  const bool isWhole = circle.type == "CIRCLE";
-  const double from = isWhole ? 0.0 : circle.number(50, 0.0).value_or(0.0);
-  double to = isWhole ? 360.0 : circle.number(51, 360.0).value_or(360.0);
-  to += to <= from ? 360.0 : 0.0;
-  if (!center || !(radius > 0.0) || !(to - from <= 360.0))
-  {
-    ++damaged;
-    return;
-  }
-  const int pieces = std::max(1, static_cast<int>(std::ceil((to - from) / step - 1e-9)));
-  std::vector<Vec3> outline;
-  for (int i = 0; i < pieces + (isWhole ? 0 : 1); ++i)
-  {
-    const double angle = dxf::radians * (from + (to - from) * i / pieces);
-    outline.emplace_back(*center + radius * Vec3(std::cos(angle), std::sin(angle), 0.0));
-  }
-  addSides(circle, outline, isWhole, isWhole, place);
-}
-
-void DrawingReader::addLightPolyline(const Entity& polyline, const Place& place)
-{
-  std::vector<Corner> corners;
-  const double elevation = polyline.number(38, 0.0).value_or(0.0);
-  for (std::size_t i = 0; i < polyline.groups.size(); ++i)
-  {
-    const Entity rest{polyline.type, polyline.groups.subspan(i)};
-    const int code = polyline.groups[i].code;
-    if (code == 10)
-    {
-      const auto x = rest.number(10, 0.0);
-      const auto y = rest.number(20, 0.0);
-      damaged += x && y ? 0 : 1;
-      corners.push_back({Vec3(x.value_or(0.0), y.value_or(0.0), elevation)});
-    }
-    else if (code == 42 && !corners.empty())
-    {
-      corners.back().bulge = rest.number(42, 0.0).value_or(0.0);
-    }
-  }
-  const bool isClosed = (polyline.integer(70, 0).value_or(0) & 1) != 0;
-  addSides(polyline, dxf::withArcs(corners, isClosed), isClosed, false, place);
 }
 
 /// Extrudes an entity by its thickness. Lines without a thickness make no surface.
@@ -221,19 +143,21 @@ void DrawingReader::addThick(const Entity& entity, const Place& place)
     const auto to = entity.point(11);
     // Ends of lines, unlike those of all other entities, are in world coordinates.
     const Transform toObject = dxf::objectSystem(entity).inverse();
-    from&& to ? addSides(entity, {toObject * *from, toObject * *to}, false, false, place) : void(++damaged);
+    from&& to ? addSides(entity, dxf::Outline{{toObject * *from, toObject * *to}}, false, place) : void(++damaged);
   }
   else if (entity.type == "LWPOLYLINE")
   {
-    addLightPolyline(entity, place);
+    addSides(entity, dxf::outlineOfLightPolyline(entity), false, place);
   }
   else if (entity.type == "CIRCLE" || entity.type == "ARC")
   {
-    addCircle(entity, place);
+    const auto outline = dxf::outlineOfCircle(entity);
+    outline ? addSides(entity, *outline, outline->isClosed, place) : void(++damaged);
   }
   else
   {
-    addSolid(entity, place);
+    const auto corners = dxf::cornersOfSolid(entity);
+    corners ? addSides(entity, dxf::Outline{*corners, true}, true, place) : void(++damaged);
   }
 }
 
@@ -272,42 +196,6 @@ void DrawingReader::addPolyface(const Entity& polyline, Entities vertices, const
   }
 }
 
-/// Adds a mesh of rows of points, closed in either direction or not.
-void DrawingReader::addGrid(const Entity& polyline, Entities vertices, const Place& place)
-{
-  constexpr int isSmooth = 4;
-  constexpr int isControlPoint = 16;
-  const int flags = polyline.integer(70, 0).value_or(0);
-  const bool smooth = (flags & isSmooth) != 0;
-  std::vector<Vec3> points;
-  for (const Entity& vertex : vertices)
-  {
-    const bool isControl = (vertex.integer(70, 0).value_or(0) & isControlPoint) != 0;
-    const auto point = vertex.point(10);
-    if (point && !(smooth && isControl))
-    {
-      points.push_back(*point);
-    }
-  }
-  const int rows = polyline.integer(smooth ? 73 : 71, 0).value_or(0);
-  const int columns = polyline.integer(smooth ? 74 : 72, 0).value_or(0);
-  if (rows < 2 || columns < 2 || points.size() != std::size_t(rows) * std::size_t(columns))
-  {
-    ++damaged;
-    return;
-  }
-  const auto at = [&](int row, int column) { return points[std::size_t(row % rows) * columns + column % columns]; };
-  const int rowEnd = (flags & 1) != 0 ? rows : rows - 1;
-  const int columnEnd = (flags & 32) != 0 ? columns : columns - 1;
-  for (int row = 0; row < rowEnd; ++row)
-  {
-    for (int column = 0; column < columnEnd; ++column)
-    {
-      addPolygon({at(row, column), at(row, column + 1), at(row + 1, column + 1), at(row + 1, column)}, polyline, place);
-    }
-  }
-}
-
 void DrawingReader::addPolyline(const Entity& polyline, Entities vertices, const Place& place)
 {
   constexpr int grid = 16;
@@ -320,61 +208,14 @@ void DrawingReader::addPolyline(const Entity& polyline, Entities vertices, const
   }
   if ((flags & grid) != 0)
   {
-    return addGrid(polyline, vertices, place);
+    return addFaces(dxf::facesOfGrid(polyline, vertices), polyline, place);
   }
   if ((flags & isLine3D) != 0 || polyline.number(39, 0.0).value_or(0.0) == 0.0)
   {
     ++skipped["POLYLINE"];
     return;
   }
-  std::vector<Corner> corners;
-  for (const Entity& vertex : vertices)
-  {
-    const auto point = vertex.point(10);
-    damaged += point ? 0 : 1;
-    corners.push_back({point.value_or(Vec3::Zero()), vertex.number(42, 0.0).value_or(0.0)});
-  }
-  addSides(polyline, dxf::withArcs(corners, (flags & 1) != 0), (flags & 1) != 0, false, place);
-}
-
-/// Adds a MESH at its level 0: points, then a list of faces, each behind the number of its corners.
-void DrawingReader::addMesh(const Entity& mesh, const Place& place)
-{
-  std::vector<Vec3> points;
-  std::vector<int> list;
-  std::size_t wanted = 0;
-  for (std::size_t i = 0; i < mesh.groups.size(); ++i)
-  {
-    const Entity rest{mesh.type, mesh.groups.subspan(i)};
-    const int code = mesh.groups[i].code;
-    if (code == 10)
-    {
-      points.push_back(rest.point(10).value_or(Vec3::Constant(std::numeric_limits<double>::quiet_NaN())));
-    }
-    else if (code == 93)
-    {
-      wanted = static_cast<std::size_t>(std::max(0, rest.integer(93, 0).value_or(0)));
-    }
-    else if (code == 90 && list.size() < wanted)
-    {
-      list.push_back(rest.integer(90, -1).value_or(-1));
-    }
-  }
-  for (std::size_t at = 0; at < list.size();)
-  {
-    const auto size = static_cast<std::size_t>(std::max(0, list[at]));
-    const std::size_t end = std::min(at + 1 + size, list.size());
-    std::vector<Vec3> corners;
-    for (std::size_t k = at + 1; k < end; ++k)
-    {
-      if (const int id = list[k]; id >= 0 && static_cast<std::size_t>(id) < points.size())
-      {
-        corners.push_back(points[static_cast<std::size_t>(id)]);
-      }
-    }
-    at = end;
-    corners.size() == size ? addPolygon(corners, mesh, place) : void(++damaged);
-  }
+  addSides(polyline, dxf::outlineOfPolyline(polyline, vertices), false, place);
 }
 
 void DrawingReader::addInsert(const Entity& insert, const Place& place)
@@ -408,7 +249,8 @@ void DrawingReader::add(const Entity& entity, const Place& place)
 {
   if (entity.type == "3DFACE")
   {
-    addFace(entity, place);
+    const auto corners = dxf::cornersOfFace(entity);
+    corners ? addPolygon(*corners, entity, place) : void(++damaged);
   }
   else if (entity.type == "INSERT")
   {
@@ -416,7 +258,7 @@ void DrawingReader::add(const Entity& entity, const Place& place)
   }
   else if (entity.type == "MESH")
   {
-    addMesh(entity, place);
+    addFaces(dxf::facesOfMesh(entity), entity, place);
   }
   else if (entity.type == "LINE" || entity.type == "LWPOLYLINE" || entity.type == "CIRCLE" || entity.type == "ARC" ||
            entity.type == "SOLID" || entity.type == "TRACE")
