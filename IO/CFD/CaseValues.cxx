@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CaseValues.h"
 
-#include "Decomposition.h"
 #include "FoamText.h"
+#include "ProcessorFolders.h"
 
 #include <algorithm>
 #include <array>
@@ -20,8 +20,6 @@ constexpr double airDensity = 1.225;
 /// Blocken, Stathopoulos and Carmeliet (2007), "CFD simulation of the atmospheric boundary layer: wall function
 /// problems", Atmospheric Environment 41, 238-252.
 constexpr double wallFunctionE = 9.8;
-/// Share of the domain's length from which a wall is a side of the domain.
-constexpr double lengthOfDomain = 0.99;
 /// Most iterations for the age of air each time it is written.
 constexpr int ageCorrectors = 200;
 /// Turbulence of air from a duct or a diffuser: speeds vary by a twentieth of their mean. Eddies have this share of the
@@ -338,58 +336,6 @@ void addRoughness(Filling& filling, double roughness)
 } // namespace
 
 std::array<double, 2> heatDiffusivities() { return {airViscosity / prandtlNumber, 1.0 / turbulentPrandtlNumber}; }
-
-std::vector<CaseField> fieldsOf(const CaseOfDirection& flow)
-{
-  std::vector<CaseField> fields(caseFields().begin(), caseFields().end());
-  for (const CaseScalar& scalar : flow.scalars)
-  {
-    fields.push_back({scalar.name, "volScalarField", FieldKind::Scalar, "", "scalar"});
-  }
-  return fields;
-}
-
-const CaseScalar* scalarOf(const CaseOfDirection& flow, const CaseField& field)
-{
-  const auto found = std::ranges::find(flow.scalars, field.name, &CaseScalar::name);
-  return found == flow.scalars.end() ? nullptr : &*found;
-}
-
-std::vector<std::string> CaseOfDirection::namesOf(PatchRole role) const
-{
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < choices.size(); ++i)
-  {
-    if (choices[i].role == role)
-    {
-      names.push_back(mesh.patches[i].name);
-    }
-  }
-  return names;
-}
-
-std::vector<std::string> CaseOfDirection::walls() const
-{
-  std::vector<std::string> names = namesOf(PatchRole::Wall);
-  std::ranges::copy(namesOf(PatchRole::RoughWall), std::back_inserter(names));
-  return names;
-}
-
-std::vector<std::size_t> CaseOfDirection::buildings() const
-{
-  const auto lengthOf = [&](const Box3& box) { return box.size().cwiseAbs().dot(wind.cwiseAbs()); };
-  std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < choices.size(); ++i)
-  {
-    const bool isWallOfBuilding = isWall(choices[i].role) && choices[i].role != PatchRole::Ground;
-    const Box3& bounds = mesh.patches[i].bounds;
-    if (isWallOfBuilding && !bounds.empty() && lengthOf(bounds) < lengthOfDomain * lengthOf(mesh.bounds))
-    {
-      found.push_back(i);
-    }
-  }
-  return found;
-}
 
 OrthogonalityRule ruleForAngle(double worst)
 {

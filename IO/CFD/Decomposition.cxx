@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Decomposition.h"
 
-#include "FoamText.h"
-#include "OpenFOAMCase.h"
 #include "OutputFolders.h"
+#include "ProcessorFolders.h"
 #include "Support/Error.h"
 #include "ZoneSides.h"
 
@@ -288,13 +287,6 @@ void writeFiles(const fs::path& target, const ProcessorMesh& mesh, OpenFOAMForma
   writer.writeCellZones(mesh.cellZones);
 }
 
-bool isProcessorFolder(const fs::directory_entry& entry)
-{
-  const std::string name = entry.path().filename().string();
-  return entry.is_directory() && name.starts_with("processor") &&
-         name.find_first_not_of("0123456789", 9) == std::string::npos;
-}
-
 } // namespace
 
 std::vector<Index> partitionCells(const FaceMesh& mesh, std::size_t parts)
@@ -421,80 +413,6 @@ Vec3 sizeOf(const FaceMesh& mesh)
   Box3 bounds;
   std::ranges::for_each(mesh.points, [&](const Vec3& point) { bounds.extend(point); });
   return bounds.size();
-}
-
-fs::path unfinishedProcessors(const fs::path& caseFolder) { return caseFolder / ".processors.unfinished"; }
-
-void placeProcessors(const fs::path& caseFolder, std::size_t parts, const Vec3& size,
-                     const std::vector<std::string>& undivided)
-{
-  refuseProcessorResults(caseFolder);
-  removeProcessors(caseFolder);
-  moveFiles(unfinishedProcessors(caseFolder), caseFolder);
-  writeDecomposition(caseFolder, parts, size, undivided);
-}
-
-void refuseProcessorResults(const fs::path& caseFolder)
-{
-  if (!fs::is_directory(caseFolder))
-  {
-    return;
-  }
-  for (const fs::directory_entry& entry : fs::directory_iterator(caseFolder))
-  {
-    const std::string result = isProcessorFolder(entry) ? resultIn(entry.path()) : std::string();
-    refuseResult(caseFolder, result.empty() ? result : entry.path().filename().string() + "/" + result);
-  }
-}
-
-void addDivision(Filling& filling, std::size_t parts, const Vec3& size, const std::vector<std::string>& undivided)
-{
-  std::size_t fewer = 1;
-  for (std::size_t divisor = 1; divisor * divisor <= parts; ++divisor)
-  {
-    fewer = parts % divisor == 0 ? divisor : fewer;
-  }
-  const std::size_t more = parts / fewer;
-  const auto alongX = static_cast<double>(size[0] < size[1] ? fewer : more);
-  const auto alongY = static_cast<double>(size[0] < size[1] ? more : fewer);
-  filling.facts.insert("parallel");
-  filling.values["processors"] = {std::to_string(parts)};
-  filling.values["processorsAlongAxes"] = {foamVector({alongX, alongY, 1.0})};
-  if (!undivided.empty())
-  {
-    filling.facts.insert("undivided");
-    filling.values["undividedPatches"] = {foamList(undivided)};
-  }
-}
-
-void writeDecomposition(const fs::path& caseFolder, std::size_t parts, const Vec3& size,
-                        const std::vector<std::string>& undivided)
-{
-  constexpr const char* file = "system/decomposeParDict";
-  Filling filling;
-  addDivision(filling, parts, size, undivided);
-  writeFoamFile(caseFolder, file, "dictionary", textOf(caseFiles(), file, filling));
-}
-
-void removeProcessors(const fs::path& caseFolder)
-{
-  std::vector<fs::path> folders;
-  for (const fs::directory_entry& entry : fs::directory_iterator(caseFolder))
-  {
-    if (isProcessorFolder(entry))
-    {
-      folders.push_back(entry.path());
-    }
-  }
-  for (const fs::path& folder : folders)
-  {
-    std::error_code error;
-    fs::remove_all(folder, error);
-    if (error)
-    {
-      throw OutputError("cannot remove '" + folder.string() + "': " + error.message());
-    }
-  }
 }
 
 void writeProcessors(const fs::path& caseFolder, const PolyMesh& poly, std::size_t parts, OpenFOAMFormat format,

@@ -2,7 +2,6 @@
 /// A mesh of OpenFOAM divided among processors, as its decomposePar does.
 #pragma once
 
-#include "CaseTable.h"
 #include "OpenFOAMFile.h"
 #include "PolyMesh.h"
 #include "PolyMeshWriter.h"
@@ -60,28 +59,6 @@ void writeProcessor(const std::filesystem::path& folder, std::size_t part, const
 
 /// Returns the size of the mesh along the axes.
 Vec3 sizeOf(const FaceMesh& mesh);
-
-/// Returns the hidden folder in the case that holds the processors' folders until all are complete.
-std::filesystem::path unfinishedProcessors(const std::filesystem::path& caseFolder);
-
-/// Replaces all existing processor folders by the complete ones, and writes system/decomposeParDict for a mesh of that
-/// size. Throws Error as refuseProcessorResults() does.
-void placeProcessors(const std::filesystem::path& caseFolder, std::size_t parts, const Vec3& size,
-                     const std::vector<std::string>& undivided = {});
-
-/// Throws Error if the case has processor folders with results of a run: anything besides a mesh and the folder 0.
-void refuseProcessorResults(const std::filesystem::path& caseFolder);
-
-/// Removes the processor folders with all their content.
-void removeProcessors(const std::filesystem::path& caseFolder);
-
-/// Adds what the template of system/decomposeParDict names: the number of parts, and a grid of them over the ground
-/// that is as square as their number allows. `size` is that of the mesh along the axes. Both halves of the patches
-/// `undivided` stay on one processor.
-void addDivision(Filling& filling, std::size_t parts, const Vec3& size, const std::vector<std::string>& undivided = {});
-/// Writes system/decomposeParDict, which OpenFOAM's parallel runs need.
-void writeDecomposition(const std::filesystem::path& caseFolder, std::size_t parts, const Vec3& size,
-                        const std::vector<std::string>& undivided = {});
 
 /// Writes processor<i>/constant/polyMesh for each part of the case's mesh, with cellProcAddressing and so on, and
 /// system/decomposeParDict. All existing processor folders are replaced, once all is written. Throws Error as the

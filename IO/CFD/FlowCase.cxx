@@ -10,6 +10,7 @@
 #include "GroundRoughness.h"
 #include "OutputFolders.h"
 #include "PolyMeshWriter.h"
+#include "ProcessorFolders.h"
 #include "Support/Error.h"
 
 #include <algorithm>

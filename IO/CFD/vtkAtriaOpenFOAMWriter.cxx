@@ -5,6 +5,7 @@
 #include "Decomposition.h"
 #include "OpenFOAMCase.h"
 #include "OutputFolders.h"
+#include "ProcessorFolders.h"
 #include "PropertyRange.h"
 #include "Ranks/ControllerExchange.h"
 #include "Ranks/MeshPiece.h"

@@ -3,6 +3,7 @@
 
 #include "OpenFOAMCase.h"
 #include "OutputFolders.h"
+#include "ProcessorFolders.h"
 #include "Quality/Checks/PartCounts.h"
 #include "Ranks/PieceLabels.h"
 #include "Ranks/PieceProcessor.h"

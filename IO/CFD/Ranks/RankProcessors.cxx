@@ -2,6 +2,7 @@
 #include "Ranks/RankProcessors.h"
 
 #include "OutputFolders.h"
+#include "ProcessorFolders.h"
 #include "Support/Error.h"
 
 #include <vtkMultiProcessController.h>
