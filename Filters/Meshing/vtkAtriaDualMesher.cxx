@@ -7,6 +7,7 @@
 #include "Layer/WallUnits.h"
 #include "Mesher/MeshModel.h"
 #include "Mesher/SuggestedSizes.h"
+#include "PropertyLists.h"
 #include "PropertyRange.h"
 #include "Ranks/ControllerExchange.h"
 #include "Ranks/DealtMesh.h"
@@ -215,24 +216,10 @@ void vtkAtriaDualMesher::AddLayerRule(const std::string& pattern, int layers, do
   this->AddLayerRule(atria::textOf(rule).c_str());
 }
 
-void vtkAtriaDualMesher::AddLayerRule(const char* rule)
-{
-  this->LayerRules.emplace_back(rule ? rule : "");
-  this->Modified();
-}
-
-int vtkAtriaDualMesher::GetNumberOfLayerRules() { return static_cast<int>(this->LayerRules.size()); }
-
-std::string vtkAtriaDualMesher::GetLayerRule(int i)
-{
-  return i >= 0 && i < this->GetNumberOfLayerRules() ? this->LayerRules[i] : std::string();
-}
-
-void vtkAtriaDualMesher::RemoveAllLayerRules()
-{
-  this->LayerRules.clear();
-  this->Modified();
-}
+void vtkAtriaDualMesher::AddLayerRule(const char* rule) { atria::addText(*this, this->LayerRules, rule); }
+int vtkAtriaDualMesher::GetNumberOfLayerRules() { return atria::numberOf(this->LayerRules); }
+std::string vtkAtriaDualMesher::GetLayerRule(int i) { return atria::entryAt(this->LayerRules, i); }
+void vtkAtriaDualMesher::RemoveAllLayerRules() { atria::removeAll(*this, this->LayerRules); }
 
 void vtkAtriaDualMesher::SetCacheStages(bool cache)
 {

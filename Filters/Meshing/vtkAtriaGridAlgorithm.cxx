@@ -5,6 +5,7 @@
 #include "GridInput.h"
 #include "Mesher/SuggestedSizes.h"
 #include "Octree/Sizing/SizeRules.h"
+#include "PropertyLists.h"
 #include "PropertyRange.h"
 #include "Ranks/Ranks.h"
 
@@ -139,22 +140,11 @@ void vtkAtriaGridAlgorithm::AddSurfaceSizeRule(const std::string& pattern, doubl
 
 void vtkAtriaGridAlgorithm::AddSurfaceSizeRule(const char* rule)
 {
-  this->SurfaceSizeRules.emplace_back(rule ? rule : "");
-  this->Modified();
+  atria::addText(*this, this->SurfaceSizeRules, rule);
 }
-
-int vtkAtriaGridAlgorithm::GetNumberOfSurfaceSizeRules() { return static_cast<int>(this->SurfaceSizeRules.size()); }
-
-std::string vtkAtriaGridAlgorithm::GetSurfaceSizeRule(int i)
-{
-  return i >= 0 && i < this->GetNumberOfSurfaceSizeRules() ? this->SurfaceSizeRules[i] : std::string();
-}
-
-void vtkAtriaGridAlgorithm::RemoveAllSurfaceSizeRules()
-{
-  this->SurfaceSizeRules.clear();
-  this->Modified();
-}
+int vtkAtriaGridAlgorithm::GetNumberOfSurfaceSizeRules() { return atria::numberOf(this->SurfaceSizeRules); }
+std::string vtkAtriaGridAlgorithm::GetSurfaceSizeRule(int i) { return atria::entryAt(this->SurfaceSizeRules, i); }
+void vtkAtriaGridAlgorithm::RemoveAllSurfaceSizeRules() { atria::removeAll(*this, this->SurfaceSizeRules); }
 
 void vtkAtriaGridAlgorithm::AddRefinementBox(const double b[6], double size)
 {
@@ -169,7 +159,7 @@ void vtkAtriaGridAlgorithm::AddRefinementBox(double x0, double x1, double y0, do
   this->AddRefinementBox(bounds, size);
 }
 
-int vtkAtriaGridAlgorithm::GetNumberOfRefinementBoxes() { return static_cast<int>(this->RefinementBoxes.size()); }
+int vtkAtriaGridAlgorithm::GetNumberOfRefinementBoxes() { return atria::numberOf(this->RefinementBoxes); }
 
 void vtkAtriaGridAlgorithm::GetRefinementBox(int i, double boundsAndSize[7])
 {
@@ -181,11 +171,7 @@ void vtkAtriaGridAlgorithm::GetRefinementBox(int i, double boundsAndSize[7])
   std::copy(this->RefinementBoxes[i].begin(), this->RefinementBoxes[i].end(), boundsAndSize);
 }
 
-void vtkAtriaGridAlgorithm::RemoveAllRefinementBoxes()
-{
-  this->RefinementBoxes.clear();
-  this->Modified();
-}
+void vtkAtriaGridAlgorithm::RemoveAllRefinementBoxes() { atria::removeAll(*this, this->RefinementBoxes); }
 
 void vtkAtriaGridAlgorithm::AddDistanceSizeRule(const std::string& pattern, double distance, double size)
 {
@@ -194,82 +180,38 @@ void vtkAtriaGridAlgorithm::AddDistanceSizeRule(const std::string& pattern, doub
 
 void vtkAtriaGridAlgorithm::AddDistanceSizeRule(const char* rule)
 {
-  this->DistanceSizeRules.emplace_back(rule ? rule : "");
-  this->Modified();
+  atria::addText(*this, this->DistanceSizeRules, rule);
 }
+int vtkAtriaGridAlgorithm::GetNumberOfDistanceSizeRules() { return atria::numberOf(this->DistanceSizeRules); }
+std::string vtkAtriaGridAlgorithm::GetDistanceSizeRule(int i) { return atria::entryAt(this->DistanceSizeRules, i); }
+void vtkAtriaGridAlgorithm::RemoveAllDistanceSizeRules() { atria::removeAll(*this, this->DistanceSizeRules); }
 
-int vtkAtriaGridAlgorithm::GetNumberOfDistanceSizeRules() { return static_cast<int>(this->DistanceSizeRules.size()); }
-
-std::string vtkAtriaGridAlgorithm::GetDistanceSizeRule(int i)
-{
-  return i >= 0 && i < this->GetNumberOfDistanceSizeRules() ? this->DistanceSizeRules[i] : std::string();
-}
-
-void vtkAtriaGridAlgorithm::RemoveAllDistanceSizeRules()
-{
-  this->DistanceSizeRules.clear();
-  this->Modified();
-}
-
-void vtkAtriaGridAlgorithm::AddFaceZone(const char* pattern)
-{
-  this->FaceZones.emplace_back(pattern ? pattern : "");
-  this->Modified();
-}
-
-int vtkAtriaGridAlgorithm::GetNumberOfFaceZones() { return static_cast<int>(this->FaceZones.size()); }
-
-std::string vtkAtriaGridAlgorithm::GetFaceZone(int i)
-{
-  return i >= 0 && i < this->GetNumberOfFaceZones() ? this->FaceZones[i] : std::string();
-}
-
-void vtkAtriaGridAlgorithm::RemoveAllFaceZones()
-{
-  this->FaceZones.clear();
-  this->Modified();
-}
+void vtkAtriaGridAlgorithm::AddFaceZone(const char* pattern) { atria::addText(*this, this->FaceZones, pattern); }
+int vtkAtriaGridAlgorithm::GetNumberOfFaceZones() { return atria::numberOf(this->FaceZones); }
+std::string vtkAtriaGridAlgorithm::GetFaceZone(int i) { return atria::entryAt(this->FaceZones, i); }
+void vtkAtriaGridAlgorithm::RemoveAllFaceZones() { atria::removeAll(*this, this->FaceZones); }
 
 void vtkAtriaGridAlgorithm::AddSurfaceWithoutOpenings(const char* pattern)
 {
-  this->SurfacesWithoutOpenings.emplace_back(pattern ? pattern : "");
-  this->Modified();
+  atria::addText(*this, this->SurfacesWithoutOpenings, pattern);
 }
-
 int vtkAtriaGridAlgorithm::GetNumberOfSurfacesWithoutOpenings()
 {
-  return static_cast<int>(this->SurfacesWithoutOpenings.size());
+  return atria::numberOf(this->SurfacesWithoutOpenings);
 }
-
 std::string vtkAtriaGridAlgorithm::GetSurfaceWithoutOpenings(int i)
 {
-  return i >= 0 && i < this->GetNumberOfSurfacesWithoutOpenings() ? this->SurfacesWithoutOpenings[i] : std::string();
+  return atria::entryAt(this->SurfacesWithoutOpenings, i);
 }
-
 void vtkAtriaGridAlgorithm::RemoveAllSurfacesWithoutOpenings()
 {
-  this->SurfacesWithoutOpenings.clear();
-  this->Modified();
+  atria::removeAll(*this, this->SurfacesWithoutOpenings);
 }
 
-void vtkAtriaGridAlgorithm::AddCellZone(const char* pattern)
-{
-  this->CellZones.emplace_back(pattern ? pattern : "");
-  this->Modified();
-}
-
-int vtkAtriaGridAlgorithm::GetNumberOfCellZones() { return static_cast<int>(this->CellZones.size()); }
-
-std::string vtkAtriaGridAlgorithm::GetCellZone(int i)
-{
-  return i >= 0 && i < this->GetNumberOfCellZones() ? this->CellZones[i] : std::string();
-}
-
-void vtkAtriaGridAlgorithm::RemoveAllCellZones()
-{
-  this->CellZones.clear();
-  this->Modified();
-}
+void vtkAtriaGridAlgorithm::AddCellZone(const char* pattern) { atria::addText(*this, this->CellZones, pattern); }
+int vtkAtriaGridAlgorithm::GetNumberOfCellZones() { return atria::numberOf(this->CellZones); }
+std::string vtkAtriaGridAlgorithm::GetCellZone(int i) { return atria::entryAt(this->CellZones, i); }
+void vtkAtriaGridAlgorithm::RemoveAllCellZones() { atria::removeAll(*this, this->CellZones); }
 
 void vtkAtriaGridAlgorithm::AddDomainCorner(double x, double y)
 {
@@ -277,7 +219,7 @@ void vtkAtriaGridAlgorithm::AddDomainCorner(double x, double y)
   this->Modified();
 }
 
-int vtkAtriaGridAlgorithm::GetNumberOfDomainCorners() { return static_cast<int>(this->DomainPolygon.size()); }
+int vtkAtriaGridAlgorithm::GetNumberOfDomainCorners() { return atria::numberOf(this->DomainPolygon); }
 
 void vtkAtriaGridAlgorithm::GetDomainCorner(int i, double corner[2])
 {
@@ -289,11 +231,7 @@ void vtkAtriaGridAlgorithm::GetDomainCorner(int i, double corner[2])
   std::copy(this->DomainPolygon[i].begin(), this->DomainPolygon[i].end(), corner);
 }
 
-void vtkAtriaGridAlgorithm::RemoveAllDomainCorners()
-{
-  this->DomainPolygon.clear();
-  this->Modified();
-}
+void vtkAtriaGridAlgorithm::RemoveAllDomainCorners() { atria::removeAll(*this, this->DomainPolygon); }
 
 void vtkAtriaGridAlgorithm::SetDomainCylinder(double x, double y, double radius, double bottom, double top)
 {

@@ -6,6 +6,7 @@
 #include "GroundRoughness.h"
 #include "OpenFOAMCase.h"
 #include "OutputFolders.h"
+#include "PropertyLists.h"
 #include "PropertyRange.h"
 #include "Support/Error.h"
 
@@ -79,180 +80,60 @@ void vtkAtriaOpenFOAMCaseWriter::AddWindAngle(double degrees)
   this->Modified();
 }
 
-void vtkAtriaOpenFOAMCaseWriter::RemoveAllWindAngles()
-{
-  this->WindAngles.clear();
-  this->Modified();
-}
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllWindAngles() { atria::removeAll(*this, this->WindAngles); }
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfWindAngles() { return atria::numberOf(this->WindAngles); }
+double vtkAtriaOpenFOAMCaseWriter::GetWindAngle(int i) { return atria::entryAt(this->WindAngles, i); }
 
-int vtkAtriaOpenFOAMCaseWriter::GetNumberOfWindAngles() { return static_cast<int>(this->WindAngles.size()); }
+void vtkAtriaOpenFOAMCaseWriter::AddScalarRule(const char* rule) { atria::addText(*this, this->ScalarRules, rule); }
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllScalarRules() { atria::removeAll(*this, this->ScalarRules); }
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfScalarRules() { return atria::numberOf(this->ScalarRules); }
+std::string vtkAtriaOpenFOAMCaseWriter::GetScalarRule(int i) { return atria::entryAt(this->ScalarRules, i); }
 
-double vtkAtriaOpenFOAMCaseWriter::GetWindAngle(int i) { return this->WindAngles.at(static_cast<std::size_t>(i)); }
+void vtkAtriaOpenFOAMCaseWriter::AddCanopyRule(const char* rule) { atria::addText(*this, this->CanopyRules, rule); }
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllCanopyRules() { atria::removeAll(*this, this->CanopyRules); }
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfCanopyRules() { return atria::numberOf(this->CanopyRules); }
+std::string vtkAtriaOpenFOAMCaseWriter::GetCanopyRule(int i) { return atria::entryAt(this->CanopyRules, i); }
 
-void vtkAtriaOpenFOAMCaseWriter::AddScalarRule(const char* rule)
-{
-  this->ScalarRules.emplace_back(rule ? rule : "");
-  this->Modified();
-}
+void vtkAtriaOpenFOAMCaseWriter::AddScreenRule(const char* rule) { atria::addText(*this, this->ScreenRules, rule); }
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllScreenRules() { atria::removeAll(*this, this->ScreenRules); }
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfScreenRules() { return atria::numberOf(this->ScreenRules); }
+std::string vtkAtriaOpenFOAMCaseWriter::GetScreenRule(int i) { return atria::entryAt(this->ScreenRules, i); }
 
-void vtkAtriaOpenFOAMCaseWriter::RemoveAllScalarRules()
-{
-  this->ScalarRules.clear();
-  this->Modified();
-}
-
-int vtkAtriaOpenFOAMCaseWriter::GetNumberOfScalarRules() { return static_cast<int>(this->ScalarRules.size()); }
-
-std::string vtkAtriaOpenFOAMCaseWriter::GetScalarRule(int i)
-{
-  return this->ScalarRules.at(static_cast<std::size_t>(i));
-}
-
-void vtkAtriaOpenFOAMCaseWriter::AddCanopyRule(const char* rule)
-{
-  this->CanopyRules.emplace_back(rule ? rule : "");
-  this->Modified();
-}
-
-void vtkAtriaOpenFOAMCaseWriter::RemoveAllCanopyRules()
-{
-  this->CanopyRules.clear();
-  this->Modified();
-}
-
-int vtkAtriaOpenFOAMCaseWriter::GetNumberOfCanopyRules() { return static_cast<int>(this->CanopyRules.size()); }
-
-std::string vtkAtriaOpenFOAMCaseWriter::GetCanopyRule(int i)
-{
-  return this->CanopyRules.at(static_cast<std::size_t>(i));
-}
-
-void vtkAtriaOpenFOAMCaseWriter::AddScreenRule(const char* rule)
-{
-  this->ScreenRules.emplace_back(rule ? rule : "");
-  this->Modified();
-}
-
-void vtkAtriaOpenFOAMCaseWriter::RemoveAllScreenRules()
-{
-  this->ScreenRules.clear();
-  this->Modified();
-}
-
-int vtkAtriaOpenFOAMCaseWriter::GetNumberOfScreenRules() { return static_cast<int>(this->ScreenRules.size()); }
-
-std::string vtkAtriaOpenFOAMCaseWriter::GetScreenRule(int i)
-{
-  return this->ScreenRules.at(static_cast<std::size_t>(i));
-}
-
-void vtkAtriaOpenFOAMCaseWriter::AddFanRule(const char* rule)
-{
-  this->FanRules.emplace_back(rule ? rule : "");
-  this->Modified();
-}
-
-void vtkAtriaOpenFOAMCaseWriter::RemoveAllFanRules()
-{
-  this->FanRules.clear();
-  this->Modified();
-}
-
-int vtkAtriaOpenFOAMCaseWriter::GetNumberOfFanRules() { return static_cast<int>(this->FanRules.size()); }
-
-std::string vtkAtriaOpenFOAMCaseWriter::GetFanRule(int i) { return this->FanRules.at(static_cast<std::size_t>(i)); }
+void vtkAtriaOpenFOAMCaseWriter::AddFanRule(const char* rule) { atria::addText(*this, this->FanRules, rule); }
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllFanRules() { atria::removeAll(*this, this->FanRules); }
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfFanRules() { return atria::numberOf(this->FanRules); }
+std::string vtkAtriaOpenFOAMCaseWriter::GetFanRule(int i) { return atria::entryAt(this->FanRules, i); }
 
 void vtkAtriaOpenFOAMCaseWriter::AddTemperatureRule(const char* rule)
 {
-  this->TemperatureRules.emplace_back(rule ? rule : "");
-  this->Modified();
+  atria::addText(*this, this->TemperatureRules, rule);
 }
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllTemperatureRules() { atria::removeAll(*this, this->TemperatureRules); }
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfTemperatureRules() { return atria::numberOf(this->TemperatureRules); }
+std::string vtkAtriaOpenFOAMCaseWriter::GetTemperatureRule(int i) { return atria::entryAt(this->TemperatureRules, i); }
 
-void vtkAtriaOpenFOAMCaseWriter::RemoveAllTemperatureRules()
-{
-  this->TemperatureRules.clear();
-  this->Modified();
-}
+void vtkAtriaOpenFOAMCaseWriter::AddHeatRule(const char* rule) { atria::addText(*this, this->HeatRules, rule); }
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllHeatRules() { atria::removeAll(*this, this->HeatRules); }
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfHeatRules() { return atria::numberOf(this->HeatRules); }
+std::string vtkAtriaOpenFOAMCaseWriter::GetHeatRule(int i) { return atria::entryAt(this->HeatRules, i); }
 
-int vtkAtriaOpenFOAMCaseWriter::GetNumberOfTemperatureRules()
-{
-  return static_cast<int>(this->TemperatureRules.size());
-}
-
-std::string vtkAtriaOpenFOAMCaseWriter::GetTemperatureRule(int i)
-{
-  return this->TemperatureRules.at(static_cast<std::size_t>(i));
-}
-
-void vtkAtriaOpenFOAMCaseWriter::AddHeatRule(const char* rule)
-{
-  this->HeatRules.emplace_back(rule ? rule : "");
-  this->Modified();
-}
-
-void vtkAtriaOpenFOAMCaseWriter::RemoveAllHeatRules()
-{
-  this->HeatRules.clear();
-  this->Modified();
-}
-
-int vtkAtriaOpenFOAMCaseWriter::GetNumberOfHeatRules() { return static_cast<int>(this->HeatRules.size()); }
-
-std::string vtkAtriaOpenFOAMCaseWriter::GetHeatRule(int i) { return this->HeatRules.at(static_cast<std::size_t>(i)); }
-
-void vtkAtriaOpenFOAMCaseWriter::AddPatchRule(const char* rule)
-{
-  this->PatchRules.emplace_back(rule ? rule : "");
-  this->Modified();
-}
-
-void vtkAtriaOpenFOAMCaseWriter::RemoveAllPatchRules()
-{
-  this->PatchRules.clear();
-  this->Modified();
-}
-
-int vtkAtriaOpenFOAMCaseWriter::GetNumberOfPatchRules() { return static_cast<int>(this->PatchRules.size()); }
-
-std::string vtkAtriaOpenFOAMCaseWriter::GetPatchRule(int i) { return this->PatchRules.at(static_cast<std::size_t>(i)); }
+void vtkAtriaOpenFOAMCaseWriter::AddPatchRule(const char* rule) { atria::addText(*this, this->PatchRules, rule); }
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllPatchRules() { atria::removeAll(*this, this->PatchRules); }
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfPatchRules() { return atria::numberOf(this->PatchRules); }
+std::string vtkAtriaOpenFOAMCaseWriter::GetPatchRule(int i) { return atria::entryAt(this->PatchRules, i); }
 
 void vtkAtriaOpenFOAMCaseWriter::AddConditionRule(const char* rule)
 {
-  this->ConditionRules.emplace_back(rule ? rule : "");
-  this->Modified();
+  atria::addText(*this, this->ConditionRules, rule);
 }
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllConditionRules() { atria::removeAll(*this, this->ConditionRules); }
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfConditionRules() { return atria::numberOf(this->ConditionRules); }
+std::string vtkAtriaOpenFOAMCaseWriter::GetConditionRule(int i) { return atria::entryAt(this->ConditionRules, i); }
 
-void vtkAtriaOpenFOAMCaseWriter::RemoveAllConditionRules()
-{
-  this->ConditionRules.clear();
-  this->Modified();
-}
-
-int vtkAtriaOpenFOAMCaseWriter::GetNumberOfConditionRules() { return static_cast<int>(this->ConditionRules.size()); }
-
-std::string vtkAtriaOpenFOAMCaseWriter::GetConditionRule(int i)
-{
-  return this->ConditionRules.at(static_cast<std::size_t>(i));
-}
-
-void vtkAtriaOpenFOAMCaseWriter::AddGroundRule(const char* rule)
-{
-  this->GroundRules.emplace_back(rule ? rule : "");
-  this->Modified();
-}
-
-void vtkAtriaOpenFOAMCaseWriter::RemoveAllGroundRules()
-{
-  this->GroundRules.clear();
-  this->Modified();
-}
-
-int vtkAtriaOpenFOAMCaseWriter::GetNumberOfGroundRules() { return static_cast<int>(this->GroundRules.size()); }
-
-std::string vtkAtriaOpenFOAMCaseWriter::GetGroundRule(int i)
-{
-  return this->GroundRules.at(static_cast<std::size_t>(i));
-}
+void vtkAtriaOpenFOAMCaseWriter::AddGroundRule(const char* rule) { atria::addText(*this, this->GroundRules, rule); }
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllGroundRules() { atria::removeAll(*this, this->GroundRules); }
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfGroundRules() { return atria::numberOf(this->GroundRules); }
+std::string vtkAtriaOpenFOAMCaseWriter::GetGroundRule(int i) { return atria::entryAt(this->GroundRules, i); }
 
 void vtkAtriaOpenFOAMCaseWriter::CheckProperties()
 {

@@ -9,6 +9,7 @@
 
 #include "AddArray.h"
 #include "AlgorithmProgress.h"
+#include "PropertyLists.h"
 #include "PropertyRange.h"
 #include "Ranks/Ranks.h"
 #include "Support/Error.h"
@@ -164,22 +165,11 @@ vtkStringArray* vtkAtriaSurfaceReader::GetSkippedNodes() { return this->SkippedN
 
 void vtkAtriaSurfaceReader::AddExcludedSurface(const char* pattern)
 {
-  this->ExcludedSurfaces.emplace_back(pattern ? pattern : "");
-  this->Modified();
+  atria::addText(*this, this->ExcludedSurfaces, pattern);
 }
-
-int vtkAtriaSurfaceReader::GetNumberOfExcludedSurfaces() { return static_cast<int>(this->ExcludedSurfaces.size()); }
-
-std::string vtkAtriaSurfaceReader::GetExcludedSurface(int i)
-{
-  return i >= 0 && i < this->GetNumberOfExcludedSurfaces() ? this->ExcludedSurfaces[i] : std::string();
-}
-
-void vtkAtriaSurfaceReader::RemoveAllExcludedSurfaces()
-{
-  this->ExcludedSurfaces.clear();
-  this->Modified();
-}
+int vtkAtriaSurfaceReader::GetNumberOfExcludedSurfaces() { return atria::numberOf(this->ExcludedSurfaces); }
+std::string vtkAtriaSurfaceReader::GetExcludedSurface(int i) { return atria::entryAt(this->ExcludedSurfaces, i); }
+void vtkAtriaSurfaceReader::RemoveAllExcludedSurfaces() { atria::removeAll(*this, this->ExcludedSurfaces); }
 
 /// Keeps the messages of a run, and shows warnings: first the grave ones, which put the whole model in doubt.
 void vtkAtriaSurfaceReader::Report(const atria::scene::Diagnostics& diagnostics, const std::vector<std::string>& grave)

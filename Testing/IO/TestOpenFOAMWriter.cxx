@@ -7,6 +7,7 @@
 #include "Support/QuietContext.h"
 #include "Support/SampleGrid.h"
 #include "VtkFaceMesh.h"
+#include "vtkAtriaOpenFOAMCaseWriter.h"
 #include "vtkAtriaOpenFOAMWriter.h"
 
 #include <vtkCellData.h>
@@ -467,6 +468,23 @@ TEST_F(OpenFOAMWriterError, PatchWithoutItsArrays)
   part->GetPointData()->RemoveArray("VolumePointId");
   EXPECT_EQ(write(toGrid(sample), patches, false, folder("case")), 0);
   expectError("VolumePointId");
+}
+
+TEST(OpenFOAMCaseWriter, ListsOfRulesAreEmptyBeyondTheirEnds)
+{
+  vtkNew<vtkAtriaOpenFOAMCaseWriter> writer;
+  writer->AddPatchRule("Glass* slip");
+  writer->AddPatchRule(nullptr);
+  EXPECT_EQ(writer->GetNumberOfPatchRules(), 2);
+  EXPECT_EQ(writer->GetPatchRule(0), "Glass* slip");
+  EXPECT_EQ(writer->GetPatchRule(1), "");
+  EXPECT_EQ(writer->GetPatchRule(2), "");
+  EXPECT_EQ(writer->GetPatchRule(-1), "");
+  EXPECT_EQ(writer->GetWindAngle(0), 0.0);
+  const vtkMTimeType before = writer->GetMTime();
+  writer->RemoveAllPatchRules();
+  EXPECT_EQ(writer->GetNumberOfPatchRules(), 0);
+  EXPECT_GT(writer->GetMTime(), before);
 }
 
 } // namespace
