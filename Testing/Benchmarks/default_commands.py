@@ -20,7 +20,7 @@ import tempfile
 
 from compare import box_about, measure, sizes_along
 from peers import checked
-from tables import row
+from tables import heading, row
 
 WRITTEN_BUT_FAILS_CHECKS = 5
 STAGES = ("surface", "octree", "crossings", "layers", "audit")
@@ -60,7 +60,7 @@ def main():
     given = parser.parse_args(sys.argv[1:end])
     options = sys.argv[end + 1:]
     heads = ("model", "elements", "s", "elements a s", *STAGES, "left out", "checks")
-    print(row(*heads), row(*["---"] * len(heads)), sep="\n", flush=True)
+    print(*heading(*heads), sep="\n", flush=True)
     made = []
     for model in (path.resolve() for path in given.models):
         sizes = sizes_and_domain(given.atria.resolve(), model, given.octants) if given.octants else []

@@ -32,7 +32,7 @@ from compare import box_about, machine, measure, sizes_along, write_sphere
 from fingerprints import DATA, building
 from peers import FOAM, SIDES, checked
 from snappy_dictionaries import begin, block_mesh, controls, words, write, write_feature_extraction
-from tables import row
+from tables import heading, row
 
 import atria
 
@@ -219,7 +219,7 @@ def report(results):
         "- Failing are checks of `checkMesh -allGeometry -allTopology`: C concave cells, D small determinants, S skewness, W small weights; of",
         "  Atria's meshes where it says so.",
         "- Times: elements a second of the processor over snappyHexMesh's.", "",
-        row("headline", "got"), row("---", "---")]
+        *heading("headline", "got")]
     for name, ratio in sorted(ratios.items(), key=lambda item: item[1])[:1]:
         lines.append(row("Elements a second of the processor over snappyHexMesh's, the worst of all models", f"{ratio:.1f} times, {name}"))
     refused = [name for name, r in found.items() if "refused" in r["snappyHexMesh"]]
@@ -233,8 +233,7 @@ def report(results):
                   + f" of {len(found)}"])]
     if refused:
         lines.append(row("Models that snappyHexMesh did not mesh", ", ".join(refused)))
-    lines += ["", row("model", "triangles", "elements", "s", "layers", "snappyHexMesh: elements", "s", "layers", "failing", "times"),
-              row(*["---"] * 10)]
+    lines += ["", *heading("model", "triangles", "elements", "s", "layers", "snappyHexMesh: elements", "s", "layers", "failing", "times")]
     for name, result in sorted(found.items(), key=lambda item: ratios.get(item[0], math.inf)):
         *own, failing = cells_of(result["Atria"], result["layers"])
         peers = cells_of(result["snappyHexMesh"], result["layers"])

@@ -23,6 +23,10 @@ def row(*cells):
     return "| " + " | ".join(str(c) for c in cells) + " |"
 
 
+def heading(*cells):
+    return [row(*cells), "|" + "---|" * len(cells)]
+
+
 def joined(values, form):
     """Values of all numbers of threads, separated by slashes; one if all are the same."""
     texts = [format(value, form) for value in values]
@@ -30,8 +34,7 @@ def joined(values, form):
 
 
 def comparison(found):
-    lines = [row("mesher", "elements", "s on 1/2 threads", "s of the processor", "bytes an element", "times Atria's time"),
-             row(*["---"] * 6)]
+    lines = heading("mesher", "elements", "s on 1/2 threads", "s of the processor", "bytes an element", "times Atria's time")
     for mesher, by_threads in found.items():
         made = {threads: result for threads, result in by_threads.items() if result}
         if not made:
@@ -49,27 +52,12 @@ def comparison(found):
     return lines
 
 
-def rises(peaks):
-    """Phases in which the peak rises by a tenth of its last value since the one listed before."""
-    before, last = 0.0, peaks[-1][1]
-    for phase, peak in peaks:
-        if peak >= before + 0.1 * last:
-            yield phase, peak
-            before = peak
-
-
 def stages(works):
-    """Seconds of the stages and peaks of memory; `works` has Atria's results by case and threads."""
+    """Seconds of the stages; `works` has Atria's results by case and threads."""
     first = {case: next(filter(None, found.values())) for case, found in works.items()}
-    lines = [row("stage, s on 1/2 threads", *works), row(*["---"] * (len(works) + 1))]
+    lines = heading("stage, s on 1/2 threads", *works)
     for stage in list(next(iter(first.values()))["stages"])[1:]:  # reading takes milliseconds
         lines.append(row(stage, *(joined([r["stages"][stage] for r in found.values() if r], ".3f") for found in works.values())))
-    peaks = {case: dict(rises(result["peaks"])) for case, result in first.items()}
-    lines += ["", row("peak memory while, bytes an element", *works), row(*["---"] * (len(works) + 1))]
-    for phase in dict.fromkeys(phase for result in first.values() for phase, _ in result["peaks"]):
-        if any(phase in found for found in peaks.values()):
-            lines.append(row(phase or "Starting", *(f"{peaks[case][phase] / first[case]['elements']:.0f}" if phase in peaks[case] else ""
-                                                    for case in works)))
     return lines
 
 
@@ -78,7 +66,7 @@ AFTER = {"quality": "the quality filter", "write_vtu": "writing .vtu", "write_op
 
 def after(works):
     """What follows a mesh, by case and threads."""
-    lines = [row("after meshing, s on 1/2 threads", *works), row(*["---"] * (len(works) + 1))]
+    lines = heading("after meshing, s on 1/2 threads", *works)
     for key, name in AFTER.items():
         if any(key in seconds for by_threads in works.values() for seconds in by_threads.values()):
             lines.append(row(name, *(joined([seconds[key] for seconds in by_threads.values() if key in seconds], ".3f")
@@ -88,7 +76,7 @@ def after(works):
 
 def verdicts(results, cases):
     """What was aimed for, and what was got."""
-    lines = [row("aim", "got"), row("---", "---")]
+    lines = heading("aim", "got")
     for case in cases:
         found = results["meshers"].get(case.name, {})
         ours, theirs = (found.get(m, {}).get("2") for m in ("Atria", "snappyHexMesh"))
@@ -114,11 +102,13 @@ def verdicts(results, cases):
     return lines
 
 
-def growth(series, key):
-    keys = list(dict.fromkeys([key, "elements"]))
-    lines = [row(*keys, "s of the processor", "bytes an element"), row(*["---"] * (len(keys) + 2))]
-    for r in series:
-        lines.append(row(*(f"{r[k]:,}" for k in keys), f"{r['processor']:.2f}", f"{r['bytes'] / r['elements']:.0f}"))
+def growth(sets):
+    """The least and the most of each series; `sets` has series by name."""
+    lines = heading("growth, one thread", "triangles", "elements", "s of the processor", "bytes an element")
+    for name, series in sets.items():
+        for r in (series[0], series[-1]):
+            triangles = f"{r['triangles']:,}" if "triangles" in r else ""
+            lines.append(row(name, triangles, f"{r['elements']:,}", f"{r['processor']:.2f}", f"{r['bytes'] / r['elements']:.0f}"))
     return lines
 
 
@@ -129,8 +119,7 @@ def without_repeats(found, case, bare):
 
 
 def octrees(series):
-    lines = [row("octree and 2:1 balance of", "leaves", "s of the processor"), row(*["---"] * 3)]
-    return lines + [row(r["name"].replace("/", ", depth "), f"{r['leaves']:,}", f"{r['seconds']:.4f}") for r in series]
+    return heading("octree and 2:1 balance of", "leaves", "s of the processor") + [row(r["name"].replace("/", ", depth "), f"{r['leaves']:,}", f"{r['seconds']:.4f}") for r in series]
 
 
 def report(results, cases):
@@ -141,7 +130,7 @@ def report(results, cases):
         f"{m['processor']}, {m['cores']} cores, {m['memory'] / 2**30:.0f} GB, {m['date']}, load {m['load']:.1f} before.", "",
         "- Times are of whole processes, from the file to the mesh in memory.",
         "- gmsh makes tetrahedra without layers. snappyHexMesh has Atria's layer, on the building at the sheets only.",
-        "- Bytes are the peak of resident memory of all processes, by stage where it rises by a tenth.",
+        "- Bytes are the peak of resident memory of all processes.",
         "- Atria aims at 20° and a skewness of 0.5 at the sphere. With 30° and 0.75 its layer is as good as snappyHexMesh's (27–40° and",
         "  0.69–0.80).", ""]
     if m["load"] > 0.5:
@@ -157,14 +146,15 @@ def report(results, cases):
                 lines += ["", f"Layers take {' and '.join(format(r['stages']['layers'], '.3f') for r in staged)} s, other stages hardly differ."]
     names = [case.name for case in cases if not (case.like or case.name in bare)]
     if works := {name: results["meshers"][name]["Atria"] for name in names if name in results["meshers"]}:
-        lines += ["", "## Stages, memory, and what follows", "", *stages(works)]
+        lines += ["", "## Stages, and what follows", "", *stages(works)]
     if works := {name: results["after"][name] for name in names if name in results.get("after", {})}:
         lines += ["", *after(works)]
     if series := results.get("octrees"):
         lines += ["", "## Octree and balance, one core", "", "Across faces, edges and corners.", "",
                   *octrees(series[-2:])]  # the deepest
-    for name, series in results.get("elements", {}).items():
-        lines += ["", f"## Growth with elements, {name} sphere, one thread", "", *growth(series, "elements")]
-    if series := results.get("triangles"):
-        lines += ["", "## Growth with the model's triangles, uniform sphere, one thread", "", *growth(series, "triangles")]
+    sets = {f"{name} sphere": series for name, series in results.get("elements", {}).items()}
+    if results.get("triangles"):
+        sets["uniform sphere of more triangles"] = results["triangles"]
+    if sets:
+        lines += ["", "## Growth", "", *growth(sets)]
     return "\n".join(lines) + "\n"
