@@ -221,27 +221,26 @@ def count(by_model):
     return f"{differing}" + (f" ({failed} not meshed)" if failed else "")
 
 
-def row(constant, changes):
-    """One line of the table: of each figure the greatest change in any model, of the smaller and the larger constant."""
+def entry(constant, changes):
+    """Of each figure the greatest change in any model, of the smaller and the larger constant."""
     signs = [changes[sign] for sign in SIGNS]
     cells = [cell([greatest(by_model, key, form) for by_model in signs], "") for key, _, form in COLUMNS]
-    return " | ".join((f"| `{constant.file}` `{constant.name}`", cell([count(by_model) for by_model in signs], "0"),
-                       *cells)) + " |"
+    return ", ".join(filter(None, (f"`{constant.name}` {cell([count(by_model) for by_model in signs], '0')}", *cells)))
 
 
 def table(constants, results):
-    """Those that nothing notices come last, in a list by file."""
-    lines = ["| constant | models | " + " | ".join(title for _, title, _ in COLUMNS) + " |",
-             "|" + "---|" * (2 + len(COLUMNS))]
-    silent, unmeasured = {}, 0
+    """A line for each file. Constants that nothing notices come last, in a list by file."""
+    noticed, silent, unmeasured = {}, {}, 0
     for constant in constants:
         changes = results["changes"].get(constant.key)
         if not changes:
             unmeasured += 1
         elif any(model["differs"] for by_model in changes.values() for model in by_model.values()):
-            lines.append(row(constant, changes))
+            noticed.setdefault(constant.file, []).append(entry(constant, changes))
         else:
             silent.setdefault(constant.file, []).append(f"`{constant.name}`")
+    lines = ["| file | constants: models, " + ", ".join(title for _, title, _ in COLUMNS) + " |", "|---|---|"]
+    lines += [f"| `{file}` | " + "; ".join(found) + " |" for file, found in noticed.items()]
     names = [textwrap.fill(f"- `{file}`: " + ", ".join(found), 118, subsequent_indent="  ", break_long_words=False,
                            break_on_hyphens=False) for file, found in silent.items()]
     return "\n".join([*lines, "", f"Nothing in these meshes notices {sum(map(len, silent.values()))} constants "
