@@ -13,6 +13,7 @@ PYTHONPATH must hold the package `atria` of the same build, which reads models f
 """
 
 import argparse
+import collections
 import dataclasses
 import json
 import math
@@ -181,22 +182,22 @@ def bound_of(result, peer):
     return result["elements"] / rest / rate(peer)
 
 
-def shortened(check):
-    """A letter for what checkMesh prints of a check that fails, and the worst skewness."""
-    if found := re.match(r"Max skewness = ([\d.]+)", check):
-        return f"S {float(found[1]):.1f}"
-    for text, letter in (("small determinant", "D"), ("Concave", "C"), ("interpolation weight", "W")):
-        if text in check:
-            return letter
-    return check
+FAILURES = {"small determinant": "small determinants", "Concave": "concave cells", "interpolation weight": "small weights",
+            "Max skewness": "skewness"}
+
+
+def failures(results):
+    """How many meshes fail each check, the most frequent first."""
+    found = collections.Counter(next((name for text, name in FAILURES.items() if text in check), check)
+                                for result in results for check in result.get("failed", []))
+    return ", ".join(f"{name} in {count}" for name, count in found.most_common()) or "none"
 
 
 def cells_of(result, layers):
-    """Elements, seconds, coverage, failing checks."""
+    """Elements, seconds, coverage in percent."""
     if "refused" in result:
-        return [result["refused"], "", "", ""]
-    return [f"{result['elements']:,}", f"{result['processor']:.1f}", f"{100 * result['covered']:.0f} %" if layers else "",
-            ", ".join(map(shortened, result["failed"]))]
+        return [result["refused"], "", ""]
+    return [f"{result['elements']:,}", f"{result['processor']:.1f}", f"{100 * result['covered']:.0f}" if layers else ""]
 
 
 def report(results):
@@ -214,11 +215,11 @@ def report(results):
         "the mesh as files of OpenFOAM, against snappyHexMesh from STL on with the same sizes, domain and thickness of layers.",
         f"{m['processor']}, {m['cores']} cores, {m['date']}.", "",
         f"- Sizes: the model's length / {ACROSS} at edges, twice that at surfaces, four times away from them; of buildings 1, 2 and 8 m.",
-        "- Seconds are of the processor.",
-        "- Layers: the part of the walls' area with all of them; of snappyHexMesh the mean number over the requested one.",
-        "- Failing are checks of `checkMesh -allGeometry -allTopology`: C concave cells, D small determinants, S skewness, W small weights; of",
-        "  Atria's meshes where it says so.",
-        "- Times: elements a second of the processor over snappyHexMesh's.", "",
+        "- Atria/snappyHexMesh: elements, seconds of the processor, and layers, the part of the walls' area with all of them, % (of",
+        "  snappyHexMesh the mean number over the requested one).",
+        "- Times: elements a second of the processor over snappyHexMesh's.",
+        *(f"- Checks of `checkMesh -allGeometry -allTopology` that {mesher} fails: {failures(r[mesher] for r in found.values())}."
+          for mesher in ("Atria", "snappyHexMesh")), "",
         *heading("headline", "got")]
     for name, ratio in sorted(ratios.items(), key=lambda item: item[1])[:1]:
         lines.append(row("Elements a second of the processor over snappyHexMesh's, the worst of all models", f"{ratio:.1f} times, {name}"))
@@ -233,13 +234,11 @@ def report(results):
                   + f" of {len(found)}"])]
     if refused:
         lines.append(row("Models that snappyHexMesh did not mesh", ", ".join(refused)))
-    lines += ["", *heading("model", "triangles", "elements", "s", "layers", "snappyHexMesh: elements", "s", "layers", "failing", "times")]
+    lines += ["", *heading("model", "triangles", "elements", "s", "layers, %", "times")]
     for name, result in sorted(found.items(), key=lambda item: ratios.get(item[0], math.inf)):
-        *own, failing = cells_of(result["Atria"], result["layers"])
-        peers = cells_of(result["snappyHexMesh"], result["layers"])
-        if failing:
-            peers[-1] += f"; Atria {failing}"
-        lines.append(row(name, f"{result['triangles']:,}", *own, *peers, f"{ratios[name]:.1f}" if name in ratios else ""))
+        own, peers = (cells_of(result[mesher], result["layers"]) for mesher in ("Atria", "snappyHexMesh"))
+        both = ["/".join(filter(None, pair)) for pair in zip(own, peers)]
+        lines.append(row(name, f"{result['triangles']:,}", *both, f"{ratios[name]:.1f}" if name in ratios else ""))
     return "\n".join(lines) + "\n"
 
 
