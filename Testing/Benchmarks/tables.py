@@ -139,10 +139,10 @@ def report(results, cases):
     lines += verdicts(results, cases)
     bare = {case.bare for case in cases}
     for case in cases:
-        if found := results["meshers"].get(case.name):
+        if found := results["meshers"].get(case.name) if case.name not in bare else None:
             lines += ["", f"## {case.title}", "", *comparison(without_repeats(found, case, bare))]
             staged = [r for r in found["Atria"].values() if r and "stages" in r]
-            if staged and (case.like or case.name in bare):  # of the same model and sizes as a case before
+            if staged and case.like:  # of the same model and sizes as a case before
                 lines += ["", f"Layers take {' and '.join(format(r['stages']['layers'], '.3f') for r in staged)} s, other stages hardly differ."]
     names = [case.name for case in cases if not (case.like or case.name in bare)]
     if works := {name: results["meshers"][name]["Atria"] for name in names if name in results["meshers"]}:
