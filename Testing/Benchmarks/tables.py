@@ -52,21 +52,12 @@ def comparison(found):
     return lines
 
 
-def stages(works):
-    """Seconds of the stages; `works` has Atria's results by case and threads."""
-    first = {case: next(filter(None, found.values())) for case, found in works.items()}
-    lines = heading("stage, s on 1/2 threads", *works)
-    for stage in list(next(iter(first.values()))["stages"])[1:]:  # reading takes milliseconds
-        lines.append(row(stage, *(joined([r["stages"][stage] for r in found.values() if r], ".3f") for found in works.values())))
-    return lines
-
-
 AFTER = {"quality": "the quality filter", "write_vtu": "writing .vtu", "write_openfoam": "writing OpenFOAM's files"}
 
 
 def after(works):
     """What follows a mesh, by case and threads."""
-    lines = heading("after meshing, s on 1/2 threads", *works)
+    lines = heading("s on 1/2 threads", *works)
     for key, name in AFTER.items():
         if any(key in seconds for by_threads in works.values() for seconds in by_threads.values()):
             lines.append(row(name, *(joined([seconds[key] for seconds in by_threads.values() if key in seconds], ".3f")
@@ -145,10 +136,8 @@ def report(results, cases):
             if staged and case.like:  # of the same model and sizes as a case before
                 lines += ["", f"Layers take {' and '.join(format(r['stages']['layers'], '.3f') for r in staged)} s, other stages hardly differ."]
     names = [case.name for case in cases if not (case.like or case.name in bare)]
-    if works := {name: results["meshers"][name]["Atria"] for name in names if name in results["meshers"]}:
-        lines += ["", "## Stages, and what follows", "", *stages(works)]
     if works := {name: results["after"][name] for name in names if name in results.get("after", {})}:
-        lines += ["", *after(works)]
+        lines += ["", "## After meshing", "", *after(works)]
     if series := results.get("octrees"):
         lines += ["", "## Octree and balance, one core", "", "Across faces, edges and corners.", "",
                   *octrees(series[-2:])]  # the deepest
