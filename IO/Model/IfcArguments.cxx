@@ -8,10 +8,7 @@ namespace atria::model::ifc {
 
 namespace {
 
-using step::argumentsOf;
-using step::insideOf;
-using step::Instance;
-using step::reference;
+using namespace step;
 
 /// Arguments that assimp converts for some entities, one letter each: text, enumeration, integer, real, # reference,
 /// anything; ( is a list of the kind that follows. Small letters, + and [ mark optional ones. Entities have more

@@ -13,13 +13,7 @@ namespace atria::model::ifc {
 
 namespace {
 
-using step::argument;
-using step::argumentsOf;
-using step::insideOf;
-using step::Instance;
-using step::reference;
-using step::referenceIn;
-using step::setArgument;
+using namespace step;
 
 constexpr std::size_t shapeOf = 6; // among the arguments of a product
 

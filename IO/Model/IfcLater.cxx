@@ -11,12 +11,7 @@ namespace atria::model::ifc {
 
 namespace {
 
-using step::argument;
-using step::argumentsOf;
-using step::insideOf;
-using step::Instance;
-using step::reference;
-using step::setArgument;
+using namespace step;
 
 /// Renames special cases of elements that IFC 4 has under other names.
 void nameAs2x3(step::File& content)

@@ -18,10 +18,7 @@ namespace atria::model::ifc {
 
 namespace {
 
-using step::argumentsOf;
-using step::insideOf;
-using step::Instance;
-using step::reference;
+using namespace step;
 
 using Arguments = std::vector<std::string_view>;
 

@@ -16,9 +16,7 @@ namespace atria::model::ifc {
 
 namespace {
 
-using step::argument;
-using step::Instance;
-using step::reference;
+using namespace step;
 
 using Outline = std::vector<Vec3>; ///< counterclockwise in the plane of x and y
 

@@ -16,12 +16,7 @@ namespace atria::model::ifc {
 
 namespace {
 
-using step::argument;
-using step::argumentsOf;
-using step::insideOf;
-using step::Instance;
-using step::reference;
-using step::referenceIn;
+using namespace step;
 
 using Indices = std::vector<std::size_t>;
 
