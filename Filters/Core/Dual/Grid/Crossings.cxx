@@ -40,24 +40,22 @@ public:
       }
       neighbor = static_cast<std::int32_t>(edge.other);
       const bool occupied = !grid.octree().items(edge.at.leaf).empty() || grid.isDisplaced(point, edge);
-      if (edge.other == noIndex)
+      const bool leaves = edge.other == noIndex;
+      if (leaves || (occupied && isUpper(direction)))
       {
-        leave(point, direction, edge, part);
-      }
-      else if (occupied && isUpper(direction))
-      {
-        cutBetween(point, direction, edge, part);
+        const EdgeSegment segment = grid.segment(point, direction, edge);
+        const auto cuts = cutEdge(grid, probe, point, edge, segment);
+        record(point, edge.other, direction, segment, cuts, part);
+        leaves ? leave(point, direction, edge, segment, cuts, part) : cutBetween(point, direction, edge, cuts, part);
       }
     }
   }
 
 private:
   /// Adds the face on an edge that leads out of the domain: on its first wall, or else on the domain's side.
-  void leave(Index point, int direction, const GridPlaces::Edge& edge, Part& part)
+  void leave(Index point, int direction, const GridPlaces::Edge& edge, const EdgeSegment& segment,
+             std::span<const SurfaceCrossing> cuts, Part& part)
   {
-    const EdgeSegment segment = grid.segment(point, direction, edge);
-    const auto cuts = cutEdge(grid, probe, point, edge, segment);
-    record(point, edge.other, direction, segment, cuts, part);
     const auto walls = [&](const SurfaceCrossing& cut) { return isWall(cut); };
     if (const auto first = std::ranges::find_if(cuts, walls); first != cuts.end())
     {
@@ -71,11 +69,9 @@ private:
     part.faces.push_back({point, tag, noIndex, static_cast<std::uint8_t>(direction), SheetSide::front, true});
   }
 
-  void cutBetween(Index point, int direction, const GridPlaces::Edge& edge, Part& part)
+  void cutBetween(Index point, int direction, const GridPlaces::Edge& edge, std::span<const SurfaceCrossing> cuts,
+                  Part& part)
   {
-    const EdgeSegment segment = grid.segment(point, direction, edge);
-    const auto cuts = cutEdge(grid, probe, point, edge, segment);
-    record(point, edge.other, direction, segment, cuts, part);
     const auto walls = [&](const SurfaceCrossing& cut) { return isWall(cut); };
     const auto first = std::ranges::find_if(cuts, walls);
     if (first == cuts.end())
