@@ -157,6 +157,18 @@ public:
   const std::vector<Index>& unresolvedLeaves(const RunContext& context);
   /// Looks at leaves where cuts changed. The surplus around points is then known without a look per point.
   void lookAgain(const RunContext& context);
+  /// Calls `f(i, look)` for the numbers below `count` on all threads, after lookAgain().
+  template <typename F> void forEach(std::size_t count, std::size_t grain, const RunContext& context, F&& f)
+  {
+    lookAgain(context);
+    context.executor.forRanges(count, grain, [&](std::size_t begin, std::size_t end) {
+      Look look(*this);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        f(i, look);
+      }
+    });
+  }
   void addCorners(Index leaf, std::set<Index>& points) const;
 
   std::int64_t shortestEdge(Index point) const;

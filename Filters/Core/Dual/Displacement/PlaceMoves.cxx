@@ -17,15 +17,9 @@ constexpr double moveCost = 0.05;
 std::vector<PlaceMove> PlaceMoves::best(const std::vector<Index>& points, bool across) const
 {
   constexpr std::size_t grain = 8;
-  grid.lookAgain(context);
   std::vector<PlaceMove> found(points.size());
-  context.executor.forRanges(points.size(), grain, [&](std::size_t begin, std::size_t end) {
-    MovingGrid::Look look(grid);
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      found[i] = best(points[i], across, look);
-    }
-  });
+  grid.forEach(points.size(), grain, context,
+               [&](std::size_t i, MovingGrid::Look& look) { found[i] = best(points[i], across, look); });
   return found;
 }
 

@@ -260,16 +260,11 @@ private:
   std::vector<char> areBetterUndisplaced(const std::vector<Index>& points)
   {
     constexpr std::size_t grain = 1;
-    grid.lookAgain(context);
     std::vector<char> found(points.size());
-    context.executor.forRanges(points.size(), grain, [&](std::size_t begin, std::size_t end) {
-      MovingGrid::Look look(grid);
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const double before = grid.surplusAbout(points[i], look).cost();
-        const LatticePoint undisplaced = grid.places().undisplaced(points[i]);
-        found[i] = before > 0.0 && grid.surplusAbout(points[i], undisplaced, look, before).cost() < before ? 1 : 0;
-      }
+    grid.forEach(points.size(), grain, context, [&](std::size_t i, MovingGrid::Look& look) {
+      const double before = grid.surplusAbout(points[i], look).cost();
+      const LatticePoint undisplaced = grid.places().undisplaced(points[i]);
+      found[i] = before > 0.0 && grid.surplusAbout(points[i], undisplaced, look, before).cost() < before ? 1 : 0;
     });
     return found;
   }
