@@ -42,9 +42,9 @@ def can_run(block):
 
 
 def prepare(folder):
-    """The model that the tutorial links to, and a pvpython that has a display."""
-    link = re.search(r"\]\(([^)]+\.wrl)\)", TUTORIAL.read_text())[1]
-    shutil.copy(TUTORIAL.parent / link, folder)
+    """The files that the tutorial links to, and a pvpython that has a display."""
+    for link in re.findall(r"\]\(([^)]+\.(?:wrl|py))\)", TUTORIAL.read_text()):
+        shutil.copy(TUTORIAL.parent / link, folder)
     (folder / ".bin").mkdir()
     if PVPYTHON:
         script = folder / ".bin" / "pvpython"

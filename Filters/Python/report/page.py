@@ -265,7 +265,8 @@ def _heat_rows(run):
     yield from ((html.escape(name), "given", _number(watts, 4)) for name, watts in warmth.sources.items())
     yield from ((html.escape(name), f"surface of {warmth.given[name]:g} °C", _watts(heat.last(), whole))
                 for name, heat in warmth.surfaces.items())
-    yield from ((html.escape(name), "carried by the air", _watts(-heat.last(), whole)) for name, heat in warmth.out.items())
+    carried = {name: _watts(-heat.last(), whole) for name, heat in warmth.out.items()}
+    yield from ((html.escape(name), "carried by the air", watts) for name, watts in carried.items() if watts != "0")
 
 
 def _heat_of(run):

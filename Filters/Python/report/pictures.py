@@ -132,20 +132,29 @@ def ends_within(bounds, place, way):
     return at + max(end[0] for end in ends), at + min(end[1] for end in ends)
 
 
+def _across(bounds):
+    """The way through an upright opening with these bounds, along x or y."""
+    return numpy.array([1.0, 0.0, 0.0] if bounds[1] - bounds[0] <= bounds[3] - bounds[2] else [0.0, 1.0, 0.0])
+
+
 def _upright_section(run, fields, case, walls):
-    """The section along the wind, or along the air from a room's inlets, and what it goes through."""
+    """The section along the wind, along the air from a room's inlets, or in calm air across an opening, and what it goes through."""
     largest = _largest(run, fields)
+    rooms = _openings(run, fields) if case.described.get("calm") and largest else ()  # in calm air nothing else is of interest
+    way = _across(largest[1].GetBounds()) if rooms else run.way
     place = box_of([largest[1]] if largest else walls)
     middle = numpy.array([(place[0] + place[1]) / 2, (place[2] + place[3]) / 2, 0.0])
     box, margin = box_of(walls), 0.0 if case.is_room else MARGIN
-    corners = numpy.array([(x, y, 0.0) for x in box[:2] for y in box[2:4]]) @ run.way
+    level = box_of(rooms)[:4] if rooms else box[:4]
+    corners = numpy.array([(x, y, 0.0) for x in level[:2] for y in level[2:]]) @ way
     height = box[5] - box[4]
-    begin, end = ends_within(case.mesh["bounds"], middle, run.way)
-    first, last = max(corners.min() - margin * height, begin), min(corners.max() + 2 * margin * height, end)
-    corner = middle + (first - middle @ run.way) * run.way
+    begin, end = ends_within(case.mesh["bounds"], middle, way)
+    first = max(corners.min() - margin * height, begin)
+    last = min(corners.max() + (1.0 if rooms else 2.0) * margin * height, end)
+    corner = middle + (first - middle @ way) * way
     corner[2] = case.mesh["bounds"][4]
     top = min(box[5] + margin * height, case.mesh["bounds"][5])
-    section = Section(corner, run.way, (0, 0, 1), (last - first, top - corner[2]))
+    section = Section(corner, way, (0, 0, 1), (last - first, top - corner[2]))
     along = "along the wind" if case.has_wind else "along the air from the inlets" if run.inlets() else "upright"
     return section, f"{along}, through " + (largest[0] if largest else "the middle of the walls")
 
