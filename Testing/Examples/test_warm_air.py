@@ -19,6 +19,7 @@ FOLDER = pathlib.Path(sys.argv[1])
 ATRIA = pathlib.Path(sys.argv[2])
 sys.path.insert(0, str(FOLDER))
 
+import cavity  # noqa: E402
 import make_room  # noqa: E402
 import study  # noqa: E402
 import numpy  # noqa: E402
@@ -284,6 +285,21 @@ class WarmAir(unittest.TestCase):
             self.assertEqual(len({line.count("|") for line in table.strip().splitlines()}), 1, table)
         self.assertRegex(text, r"\| stack150 \| 150 \| 1,000 \| 2 \| 0\.0800 \| 0\.919 \| 0\.0753 \| \+6\.3 % \| 150\.0 \| \+0\.10 % \|")
         self.assertIn("not run", text)
+
+    def test_the_cavity_has_its_walls_and_table(self):
+        row = cavity.ROWS[0]
+        self.assertGreater(cavity.mesh(ATRIA.resolve(), row, self.folder), 0.0)
+        run = subprocess.run([str(word) for word in cavity.case_command(ATRIA, row, self.folder)], capture_output=True, text=True, check=False)
+        self.assertIn(run.returncode, (0, 5), run.stderr)
+        described = self.described(self.folder / "case")
+        self.assertEqual(described["directions"][0]["patches"], {"Cold": "wall", "Hot": "wall", "Side": "slip", "Ceiling": "wall",
+                                                                 "Floor": "wall", "Opening": "inletOutlet"})
+        self.assertAlmostEqual(cavity.heat_of_correlation(), 37.8, delta=0.1)  # Nu of 5.8
+        keep(row, self.folder, {"cells": 1000, "solve_seconds": 2.0, "hot": 30.0, "cold": -30.0, "fastest": 0.1, "speed": 0.02,
+                                "temperature": 0.5})
+        lines = cavity.tables(self.folder).strip().splitlines()[2:]
+        self.assertEqual(len({line.count("|") for line in lines}), 1, lines)
+        self.assertIn("not run", lines[3])
 
 
 if __name__ == "__main__":
