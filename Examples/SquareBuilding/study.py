@@ -31,8 +31,7 @@ MODELS = {"realizable": "realizable k-epsilon", "k-epsilon": "k-epsilon", "k-ome
 @dataclass(frozen=True)
 class Row:
     name: str
-    kind: str  # uniform, adaptive, layered, hexahedra (as layered, only these), empty (as layered, without the
-    # building): by Atria; snappy: by snappyHexMesh
+    kind: str  # one of KINDS, or empty: as layered, without the building
     across: int  # elements across the building's width
     turbulence: str = "realizable"
     inflow: str = "measured"  # or logarithmic, as the case has it by itself
@@ -44,6 +43,7 @@ class Row:
         return B / self.across
 
 
+# By Atria, but for snappy, which is by snappyHexMesh; hexahedra are as layered, but these only.
 KINDS = {"uniform": (6, 8, 12, 16), "adaptive": (8, 12, 16, 24), "layered": (8, 12, 16, 24),
          "hexahedra": (8, 12, 16), "snappy": (8, 12, 16, 24)}
 # By elements across. From these on the drag of adaptive meshes changes by some 1e-4 of itself; uniform ones settle later.

@@ -71,7 +71,7 @@ bool isInTube(const DualMesh& mesh, const SheetEdges& sheets, const std::vector<
   const auto isAmong = [](const std::vector<Edge>& edges, Edge edge) {
     return std::ranges::binary_search(edges, edge);
   };
-  std::array<int, 8> state{}; // of a corner: 1 on a boundary edge, 2 with another edge of a wall
+  std::array<int, 8> state{}; // bits of a corner: 1 on a boundary edge, 2 with another edge of a wall
   bool hasEdge = false;
   for (int direction = 0; direction < 6; ++direction)
   {
@@ -268,7 +268,7 @@ private:
     Sector sector;
     sector.elements.push_back(star[first]);
     isDone[first] = 1;
-    std::vector<Index> ends; // of edges
+    std::vector<Index> ends; // the edges' other points
     int halfFaces = 0;
     for (std::size_t i = 0; i < sector.elements.size(); ++i)
     {

@@ -6,9 +6,9 @@
 
 namespace atria {
 
-/// Tubes of elements in front of the boundary edges of sheets. Where a layer goes round such an edge alone, two of its
-/// hexahedra share the full angle. If it goes round the sheet and a tube in front of its edge, four hexahedra of the
-/// layer and two of the tube share it.
+/// Tubes of elements in front of the boundary edges of sheets. Two hexahedra of a layer that goes round such an
+/// edge alone share the full angle. If the layer goes round the sheet and a tube in front of its edge, four hexahedra
+/// of the layer and two of the tube share it.
 ///
 /// Use: cut the tubes out, split points (splitSheets), find walls, keep tubes, grow layers, and join tubes.
 struct EdgeTubes
