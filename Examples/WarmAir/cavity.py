@@ -19,6 +19,7 @@ from dataclasses import dataclass
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Study"))
 
+import make_room  # noqa: E402
 from kept_rows import command_line, go_on, known, lines_of, run  # noqa: E402
 
 WIDTH, HEIGHT = 0.076, 2.18
@@ -57,19 +58,8 @@ def surfaces(row):
             "Ceiling": [level(0, w, h)], "Floor": [level(0, a, 0), level(b, w, 0)], "Opening": [level(a, b, 0)]}
 
 
-def write_model(row, file):
-    lines, count = [], 0
-    for name, polygons in surfaces(row).items():
-        lines.append(f"o {name}")
-        for polygon in polygons:
-            lines += ["v {:g} {:g} {:g}".format(*point) for point in polygon]
-            lines.append("f " + " ".join(str(count + i + 1) for i in range(len(polygon))))
-            count += len(polygon)
-    file.write_text("\n".join(lines) + "\n", encoding="utf-8")
-
-
 def mesh(atria, row, folder):
-    write_model(row, folder / "cavity.obj")
+    make_room.write(folder / "cavity.obj", surfaces(row))
     size = WIDTH / row.across
     layers = [word for wall in ("Cold", "Hot") for word in ("--layers", f"{wall}={row.layers}:{row.first / 1000:g}:auto")]
     return run([atria, "mesh", folder / "cavity.obj", "-o", folder / "mesh.vtu", "--model-bounds", "--size-min", size, "--size-mid", size,

@@ -45,15 +45,20 @@ def opening_area(opening):
     return (y1 - y0) * (z1 - z0)
 
 
-def main(file, has_plume=False):
+def write(file, named):
+    """Writes polygons by name as Wavefront OBJ."""
     lines, count = [], 0
-    for name, polygons in surfaces(has_plume).items():
+    for name, polygons in named.items():
         lines.append(f"o {name}")
         for polygon in polygons:
             lines += ["v {:g} {:g} {:g}".format(*point) for point in polygon]
             lines.append("f " + " ".join(str(count + i + 1) for i in range(len(polygon))))
             count += len(polygon)
     pathlib.Path(file).write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def main(file, has_plume=False):
+    write(file, surfaces(has_plume))
 
 
 if __name__ == "__main__":

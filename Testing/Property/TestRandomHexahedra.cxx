@@ -131,20 +131,28 @@ GridOptions gridAround(unsigned seed)
   return grid;
 }
 
+/// Meshes a soup, and expects hexahedra only and the same bits for any number of threads.
+Meshed meshSoupTwice(unsigned seed, const std::vector<LayerRule>& layers)
+{
+  DualMeshOptions options;
+  options.zoneRule = ZoneRule::all;
+  options.hexahedra = true;
+  options.layers = layers;
+  const TriangleSurface soup = randomSoup(seed);
+  Meshed meshed = meshIt(soup, gridAround(seed), options);
+  EXPECT_EQ(countOthers(meshed.mesh()), 0);
+  EXPECT_TRUE(identical(meshed.mesh(), meshIt(soup, gridAround(seed), options, 3).mesh()));
+  return meshed;
+}
+
 TEST(RandomHexahedra, MeshSoups)
 {
   for (unsigned seed = 0; seed < static_cast<unsigned>(campaign(6, 100)); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    DualMeshOptions options;
-    options.zoneRule = ZoneRule::all;
-    options.hexahedra = true;
-    const TriangleSurface soup = randomSoup(seed);
-    const Meshed meshed = meshIt(soup, gridAround(seed), options);
+    const Meshed meshed = meshSoupTwice(seed, {});
     EXPECT_TRUE(isSound(meshed.mesh(), 0));
-    EXPECT_EQ(countOthers(meshed.mesh()), 0);
     EXPECT_NEAR(totalVolume(meshed.mesh()) / gridAround(seed).domain.size().prod(), 1.0, 1e-9);
-    EXPECT_TRUE(identical(meshed.mesh(), meshIt(soup, gridAround(seed), options, 3).mesh()));
   }
 }
 
@@ -154,17 +162,10 @@ TEST(RandomHexahedra, MeshSoupsWithALayer)
   for (unsigned seed = 0; seed < static_cast<unsigned>(campaign(4, 100)); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    DualMeshOptions options;
-    options.zoneRule = ZoneRule::all;
-    options.hexahedra = true;
-    options.layers = {{"*", {.layers = 1}}};
-    const TriangleSurface soup = randomSoup(seed);
-    const Meshed meshed = meshIt(soup, gridAround(seed), options, 2);
+    const Meshed meshed = meshSoupTwice(seed, {{"*", {.layers = 1}}});
     EXPECT_TRUE(isValid(meshed.mesh(), 0));
-    EXPECT_EQ(countOthers(meshed.mesh()), 0);
     const auto leftOut = std::ranges::count(meshed.result.diagnostics, Diagnostic::leftOutElement, &Diagnostic::kind);
     EXPECT_LE(static_cast<double>(leftOut), 1e-4 * static_cast<double>(meshed.mesh().elementCount()));
-    EXPECT_TRUE(identical(meshed.mesh(), meshIt(soup, gridAround(seed), options, 3).mesh()));
   }
 }
 

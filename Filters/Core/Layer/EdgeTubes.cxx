@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <initializer_list>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -97,15 +98,6 @@ bool isInTube(const DualMesh& mesh, const SheetEdges& sheets, const std::vector<
   return hasEdge || (isOff && std::ranges::find(state, 1) != state.end());
 }
 
-/// The elements of a sector around a point: those outside of tubes that are connected through faces at the point.
-struct Sector
-{
-  std::vector<Index> elements;
-  bool isOpen = false; ///< has a wall or a tube beside it
-  /// Euler characteristic of the sector's elements, faces and edges at the point: 1 if its outer faces are one fan.
-  int characteristic = 0;
-};
-
 /// Adds elements to tubes until the walls around each sector of the rest are one fan, as layers need it. Tubes that
 /// meet a wall or each other in an edge or a point only would leave two.
 class TubeCloser
@@ -123,120 +115,67 @@ public:
     });
   }
 
-  std::vector<Index> run(const std::vector<Index>& elements)
+  /// Returns the elements of tubes in order. `onBoundary` marks the points on the boundary.
+  std::vector<Index> run(const std::vector<Index>& elements, const std::vector<char>& onBoundary)
   {
-    std::vector<Index> points;
-    for (const Index e : elements)
-    {
-      inTube[e] = 1;
-      points.insert(points.end(), mesh.corners[e].begin(), mesh.corners[e].end());
-    }
-    const std::vector<char> onBoundary = boundaryPoints(mesh, context.executor);
-    const std::vector<Index> atWalls =
+    std::vector<Index> points =
         chosenNumbers(onBoundary.size(), context.executor, [&](std::size_t p) { return onBoundary[p] != 0; });
-    points.insert(points.end(), atWalls.begin(), atWalls.end());
+    add(elements, points);
     while (!points.empty())
     {
       context.progress.check();
       sortUnique(points);
       const std::vector<Index> some = std::exchange(points, {});
-      const std::vector<Index> open = chosenNumbers(some.size(), context.executor, [&](std::size_t i) {
-        return std::ranges::any_of(sectorsAt(some[i]), &TubeCloser::isPinched);
+      const std::vector<Index> pinched = chosenNumbers(some.size(), context.executor, [&](std::size_t i) {
+        return std::ranges::any_of(sectorsAt(some[i]), [&](const Part& sector) { return isPinched(sector, some[i]); });
       });
-      for (const Index i : open)
+      for (const Index i : pinched)
       {
-        add(some[i], points);
+        close(some[i], points);
       }
     }
     return chosenNumbers(inTube.size(), context.executor, [&](std::size_t e) { return inTube[e] != 0; });
   }
 
 private:
-  static bool isPinched(const Sector& sector) { return sector.isOpen && sector.characteristic != 1; }
+  /// Elements outside of tubes that are connected: a sector through faces at a point, a group through faces at an edge.
+  using Part = std::vector<Index>;
 
-  /// Adds elements of the pinched sectors at a point to tubes, and their points to the list.
-  void add(Index point, std::vector<Index>& points)
+  /// Adds elements to tubes, and their points to the list.
+  void add(const std::vector<Index>& elements, std::vector<Index>& points)
   {
-    for (const Sector& sector : sectorsAt(point))
+    for (const Index e : elements)
     {
-      const std::vector<Index> some = isPinched(sector) ? atPinchedEdges(sector, point) : std::vector<Index>();
-      for (const Index e : !isPinched(sector) || !some.empty() ? some : sector.elements)
+      inTube[e] = 1;
+      points.insert(points.end(), mesh.corners[e].begin(), mesh.corners[e].end());
+    }
+  }
+
+  /// Adds elements of the pinched sectors at a point to tubes: those at pinched edges, or else all.
+  void close(Index point, std::vector<Index>& points)
+  {
+    for (const Part& sector : sectorsAt(point))
+    {
+      if (isPinched(sector, point))
       {
-        inTube[e] = 1;
-        points.insert(points.end(), mesh.corners[e].begin(), mesh.corners[e].end());
+        const Part some = atPinchedEdges(sector, point);
+        add(some.empty() ? sector : some, points);
       }
     }
   }
 
-  /// Elements of a sector around an edge, that are connected through faces at the edge.
-  struct EdgeGroup
+  /// Calls use(direction, before, after) for each face of an element at a point, with the points beside it.
+  template <typename Use> void forFacesAt(Index e, Index point, Use&& use) const
   {
-    std::vector<Index> elements;
-    int walls = 0;
-  };
-
-  /// Returns the elements to be added to tubes so that the rest around each edge at the point is connected: all groups
-  /// but the one with most walls.
-  std::vector<Index> atPinchedEdges(const Sector& sector, Index point) const
-  {
-    std::vector<std::pair<Index, Index>> atEdges; // end of the edge, and element
-    for (const Index e : sector.elements)
+    for (int direction = 0; direction < 6; ++direction)
     {
-      for (int direction = 0; direction < 6; ++direction)
+      const ReducedFace face = faceOf(mesh.corners[e], direction);
+      const auto at = std::ranges::find(face.loop(), point) - face.loop().begin();
+      if (face.count >= 3 && at < face.count)
       {
-        const ReducedFace face = faceOf(mesh.corners[e], direction);
-        const auto at = std::ranges::find(face.loop(), point) - face.loop().begin();
-        if (face.count >= 3 && at < face.count)
-        {
-          atEdges.emplace_back(face.points[(at + 1) % face.count], e);
-          atEdges.emplace_back(face.points[(at + face.count - 1) % face.count], e);
-        }
+        use(direction, face.points[(at + face.count - 1) % face.count], face.points[(at + 1) % face.count]);
       }
     }
-    sortUnique(atEdges);
-    std::vector<Index> out;
-    for (auto begin = atEdges.begin(); begin != atEdges.end();)
-    {
-      const auto end = std::find_if(begin, atEdges.end(), [&](const auto& at) { return at.first != begin->first; });
-      std::vector<Index> around;
-      std::transform(begin, end, std::back_inserter(around), [](const auto& at) { return at.second; });
-      std::vector<EdgeGroup> groups = groupsAround(around, point, begin->first);
-      std::ranges::stable_sort(groups, std::greater(), &EdgeGroup::walls);
-      for (std::size_t i = 1; i < groups.size(); ++i)
-      {
-        out.insert(out.end(), groups[i].elements.begin(), groups[i].elements.end());
-      }
-      begin = end;
-    }
-    return out;
-  }
-
-  std::vector<EdgeGroup> groupsAround(std::vector<Index> left, Index p, Index q) const
-  {
-    std::vector<EdgeGroup> groups;
-    while (!left.empty())
-    {
-      EdgeGroup& group = groups.emplace_back();
-      group.elements.push_back(left.front());
-      left.erase(left.begin());
-      for (std::size_t i = 0; i < group.elements.size(); ++i)
-      {
-        const Index e = group.elements[i];
-        for (int direction = 0; direction < 6; ++direction)
-        {
-          group.walls += DualMesh::isBoundary(mesh.neighbors[e][direction]) ? 1 : 0;
-          const ReducedFace face = faceOf(mesh.corners[e], direction);
-          const auto hasPoint = [&](Index point) { return std::ranges::find(face.loop(), point) != face.loop().end(); };
-          const auto found = std::ranges::find(left, across(e, direction));
-          if (found != left.end() && hasPoint(p) && hasPoint(q))
-          {
-            group.elements.push_back(*found);
-            left.erase(found);
-          }
-        }
-      }
-    }
-    return groups;
   }
 
   /// Returns the element across a face if it is outside of tubes; else noIndex.
@@ -246,60 +185,101 @@ private:
     return code < 0 || inTube[code] ? noIndex : static_cast<Index>(code);
   }
 
-  std::vector<Sector> sectorsAt(Index point) const
+  /// Returns the parts of a list of elements that are connected through faces which have all of some points.
+  std::vector<Part> partsThrough(std::initializer_list<Index> points, std::vector<Index> left) const
+  {
+    const auto hasAll = [&](Index e, int direction) {
+      const ReducedFace face = faceOf(mesh.corners[e], direction);
+      return std::ranges::all_of(points,
+                                 [&](Index p) { return std::ranges::find(face.loop(), p) != face.loop().end(); });
+    };
+    std::vector<Part> parts;
+    while (!left.empty())
+    {
+      Part& part = parts.emplace_back(1, left.front());
+      left.erase(left.begin());
+      for (std::size_t i = 0; i < part.size(); ++i)
+      {
+        for (int direction = 0; direction < 6; ++direction)
+        {
+          const auto found = std::ranges::find(left, across(part[i], direction));
+          if (found != left.end() && hasAll(part[i], direction))
+          {
+            part.push_back(*found);
+            left.erase(found);
+          }
+        }
+      }
+    }
+    return parts;
+  }
+
+  std::vector<Part> sectorsAt(Index point) const
   {
     std::vector<Index> star;
     std::ranges::copy_if(elementsOf.of(point), std::back_inserter(star), [&](Index e) { return !inTube[e]; });
     sortUnique(star);
-    std::vector<Sector> sectors;
-    std::vector<char> isDone(star.size(), 0);
-    for (std::size_t first = 0; first < star.size(); ++first)
-    {
-      if (!isDone[first])
-      {
-        sectors.push_back(sectorFrom(star, first, point, isDone));
-      }
-    }
-    return sectors;
+    return partsThrough({point}, std::move(star));
   }
 
-  Sector sectorFrom(const std::vector<Index>& star, std::size_t first, Index point, std::vector<char>& isDone) const
+  /// True if a sector has walls or tubes beside it, and these are not one fan: the Euler characteristic of its
+  /// elements, faces and edges at the point is not 1.
+  bool isPinched(const Part& sector, Index point) const
   {
-    Sector sector;
-    sector.elements.push_back(star[first]);
-    isDone[first] = 1;
-    std::vector<Index> ends; // the edges' other points
+    bool isOpen = false;
     int halfFaces = 0;
-    for (std::size_t i = 0; i < sector.elements.size(); ++i)
+    std::vector<Index> ends; // the edges' other points
+    for (const Index e : sector)
     {
-      const Index e = sector.elements[i];
-      for (int direction = 0; direction < 6; ++direction)
-      {
-        const ReducedFace face = faceOf(mesh.corners[e], direction);
-        const auto at = std::ranges::find(face.loop(), point) - face.loop().begin();
-        if (face.count < 3 || at == face.count)
-        {
-          continue;
-        }
-        ends.push_back(face.points[(at + 1) % face.count]);
-        ends.push_back(face.points[(at + face.count - 1) % face.count]);
-        const Index other = across(e, direction);
-        halfFaces += other == noIndex ? 2 : 1;
-        sector.isOpen = sector.isOpen || other == noIndex;
-        if (const auto found = std::ranges::lower_bound(star, other); found != star.end() && *found == other)
-        {
-          char& done = isDone[found - star.begin()];
-          if (!done)
-          {
-            sector.elements.push_back(other);
-          }
-          done = 1;
-        }
-      }
+      forFacesAt(e, point, [&](int direction, Index before, Index after) {
+        const bool isOuter = across(e, direction) == noIndex;
+        isOpen = isOpen || isOuter;
+        halfFaces += isOuter ? 2 : 1;
+        ends.insert(ends.end(), {before, after});
+      });
     }
     sortUnique(ends);
-    sector.characteristic = static_cast<int>(ends.size()) - halfFaces / 2 + static_cast<int>(sector.elements.size());
-    return sector;
+    return isOpen && static_cast<int>(ends.size()) - halfFaces / 2 + static_cast<int>(sector.size()) != 1;
+  }
+
+  /// Returns the elements to be added to tubes so that the rest around each edge at the point is connected: all groups
+  /// but the one with most walls.
+  Part atPinchedEdges(const Part& sector, Index point) const
+  {
+    std::vector<std::pair<Index, Index>> atEdges; // end of the edge, and element
+    for (const Index e : sector)
+    {
+      forFacesAt(e, point, [&](int /*direction*/, Index before, Index after) {
+        atEdges.emplace_back(before, e);
+        atEdges.emplace_back(after, e);
+      });
+    }
+    sortUnique(atEdges);
+    Part out;
+    for (auto begin = atEdges.begin(); begin != atEdges.end();)
+    {
+      const auto end = std::find_if(begin, atEdges.end(), [&](const auto& at) { return at.first != begin->first; });
+      std::vector<Index> around;
+      std::transform(begin, end, std::back_inserter(around), [](const auto& at) { return at.second; });
+      std::vector<Part> groups = partsThrough({point, begin->first}, std::move(around));
+      std::ranges::stable_sort(groups, std::greater(), [&](const Part& group) { return countWalls(group); });
+      for (std::size_t i = 1; i < groups.size(); ++i)
+      {
+        out.insert(out.end(), groups[i].begin(), groups[i].end());
+      }
+      begin = end;
+    }
+    return out;
+  }
+
+  std::ptrdiff_t countWalls(const Part& part) const
+  {
+    std::ptrdiff_t count = 0;
+    for (const Index e : part)
+    {
+      count += std::ranges::count_if(mesh.neighbors[e], &DualMesh::isBoundary);
+    }
+    return count;
   }
 
   const DualMesh& mesh;
@@ -362,7 +342,7 @@ EdgeTubes findEdgeTubes(const DualMesh& mesh, const RunContext& context)
   const std::vector<Index> inFront = chosenNumbers(mesh.elementCount(), context.executor, [&](std::size_t e) {
     return hasMarked(mesh.corners[e], sheets.points) && isInTube(mesh, sheets, onBoundary, static_cast<Index>(e));
   });
-  tubes.elements = TubeCloser(mesh, context).run(inFront);
+  tubes.elements = TubeCloser(mesh, context).run(inFront, onBoundary);
   return tubes;
 }
 

@@ -35,8 +35,8 @@ struct LayerOptions
   /// Unit to which reported areas of faces are rounded, a power of two in square model units, so that sums do not
   /// depend on their order; 0 does not round.
   double areaUnit = 0.0;
-  /// True if points are doubled also where a prism then lies flat, as at boundary edges, so that layers end nowhere and
-  /// all prisms are hexahedra.
+  /// True if points are doubled also where a prism then lies flat, so that layers end nowhere and all prisms are
+  /// hexahedra.
   bool wraps = false;
   /// One entry per tag; empty if none has such a layer.
   std::vector<SupportingLayer> supporting;

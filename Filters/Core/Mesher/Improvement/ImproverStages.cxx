@@ -97,6 +97,16 @@ void keepWithin(const FlatLayers& flat, QualityTargets& targets)
   keep(targets.determinantRoot, flat.determinantRoot);
 }
 
+/// Range that every measure is within.
+constexpr QualityRange anything{0.0, 0.0};
+
+/// Makes targets that cells meet by all measures but the determinant and the scaled Jacobian.
+void takeAnyShape(QualityTargets& targets)
+{
+  targets.pyramidCosine = targets.faceCosine = targets.skewness = targets.weight = targets.volumeRatio = anything;
+  targets.cornerVolume = targets.boundaryShape = targets.convexity = anything;
+}
+
 QualityRange largestAngleOf(const MeshTraits& traits) { return traits.divided ? largestAngleOfDivided : largestAngle; }
 
 /// Returns the last limit of angles, and what is aimed at.
@@ -199,10 +209,8 @@ ImproverStage firstStage(const MeshTraits& traits)
 
 QualityTargets targetsOfSupport(const MeshTraits& traits)
 {
-  constexpr QualityRange anything{0.0, 0.0};
   QualityTargets targets = baseTargets(traits);
-  targets.pyramidCosine = targets.faceCosine = targets.skewness = targets.weight = targets.volumeRatio = anything;
-  targets.cornerVolume = targets.boundaryShape = targets.convexity = anything;
+  takeAnyShape(targets);
   return targets;
 }
 
@@ -299,10 +307,9 @@ QualityTargets targetsOfChecks(const MeshTraits& traits)
 
 QualityTargets targetsOfHexahedra()
 {
-  constexpr QualityRange anything{0.0, 0.0};
   QualityTargets targets;
-  targets.pyramidCosine = targets.faceCosine = targets.skewness = targets.weight = targets.volumeRatio = anything;
-  targets.cornerVolume = targets.boundaryShape = targets.convexity = targets.determinantRoot = anything;
+  takeAnyShape(targets);
+  targets.determinantRoot = anything;
   targets.scaledJacobian = goodOfHexahedra;
   return targets;
 }

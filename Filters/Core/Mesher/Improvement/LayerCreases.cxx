@@ -115,7 +115,7 @@ void addCreaseSheets(ImproverState& state)
     {
       best = std::move(state.layer);
       bestWorst = worst;
-      // Cells at boundary edges that layers go round miss the targets with any width.
+      // Cells at steps of boundary edges that layers go round miss the targets with any width.
       if (worst >= wantedJacobian || state.traits.wraps)
       {
         break;
