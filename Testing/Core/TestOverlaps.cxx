@@ -81,25 +81,6 @@ template <typename Map> void expectNear(const Map& found, const Map& wanted, dou
   EXPECT_EQ(found.size(), wanted.size());
 }
 
-/// The surfaces in another order.
-TriangleSurface ordered(const TriangleSurface& surface, const std::vector<Index>& order)
-{
-  TriangleSurface out;
-  for (const Index id : order)
-  {
-    std::vector<std::array<Index, 3>> triangles;
-    for (Index t = 0; t < surface.triangles.size(); ++t)
-    {
-      if (surface.surfaceIds[t] == id)
-      {
-        triangles.push_back(surface.triangles[t]);
-      }
-    }
-    atria::testing::addSurface(out, surface.names[id], surface.points, triangles);
-  }
-  return out;
-}
-
 /// Orders that put each surface first and last.
 std::vector<std::vector<Index>> ordersOf(std::size_t count)
 {
@@ -164,7 +145,7 @@ TEST(Overlaps, LeaveTheSmallerSurfaceItsFacesWhateverTheOrder)
       for (const std::vector<Index>& order : ordersOf(surface.names.size()))
       {
         SCOPED_TRACE(std::to_string(angle) + ' ' + flipped + ' ' + ::testing::PrintToString(order));
-        const SurfaceModel model = repaired(ordered(surface, order));
+        const SurfaceModel model = repaired(atria::testing::inOrder(surface, order));
         expectNear(areasOf(model), facadeAreas, 1e-6);
         expectNear(sharedOf(model), facadeShared, 1e-6);
         EXPECT_TRUE(warningsOfOverlaps(model, size).empty()) << "the normal case is no reason to warn";
@@ -239,7 +220,7 @@ TEST(Overlaps, OfSmallerFaceZonesOpenWalls)
   addSheet(surface, "Door", {1, 0, 0}, {1, 0, 0}, {0, 0, 2});
   for (const std::vector<Index>& order : ordersOf(2))
   {
-    const SurfaceModel model = repaired(ordered(surface, order), {"Door"});
+    const SurfaceModel model = repaired(atria::testing::inOrder(surface, order), {"Door"});
     expectNear(areasOf(model), {{"Wall", 7.0}, {"Door", 2.0}}, 1e-6);
     const std::vector<std::string> warnings = warningsOfOverlaps(model, size);
     ASSERT_EQ(warnings.size(), 1u);
@@ -261,7 +242,7 @@ TEST(Overlaps, OfFaceZonesThatAreNotSmallerLeaveWallsClosed)
     surface.names.pop_back();
     for (const std::vector<Index>& order : ordersOf(2))
     {
-      const SurfaceModel model = repaired(ordered(surface, order), {"Zone"});
+      const SurfaceModel model = repaired(atria::testing::inOrder(surface, order), {"Zone"});
       expectNear(areasOf(model), {{"Wall", 15.0}, {"Zone", 3.0 * (height - 2.0)}}, 1e-6);
       const std::vector<std::string> warnings = warningsOfOverlaps(model, size);
       ASSERT_EQ(warnings.size(), 1u);
@@ -279,7 +260,8 @@ TEST(Overlaps, OnSidesOfTheDomainNameThem)
   addSheet(surface, "Outlet", {5, 1, 1}, {0, 0, 1}, {0, 1, 0});
   for (const std::vector<Index>& order : ordersOf(3))
   {
-    const SurfaceModel model = repaired(ordered(surface, order), {"Outlet"}, {Vec3(0, 0, 0), Vec3(5, 4, 3)});
+    const SurfaceModel model =
+        repaired(atria::testing::inOrder(surface, order), {"Outlet"}, {Vec3(0, 0, 0), Vec3(5, 4, 3)});
     expectNear(areasOf(model), {{"Room", 92.0}, {"Inlet", 1.0}, {"Outlet", 1.0}}, 1e-6);
     EXPECT_EQ(std::ranges::count(model.domainSides, SurfaceModel::noSide), 0);
     EXPECT_TRUE(warningsOfOverlaps(model, size).empty()) << "what lies on a side opens nothing";
@@ -293,7 +275,7 @@ TEST(Overlaps, ThatCloseAGapCountToo)
   addSheet(surface, "Window", {1, -0.04, 1}, {1, 0, 0}, {0, 0, 1}); // 4 cm before it
   for (const std::vector<Index>& order : ordersOf(2))
   {
-    const SurfaceModel model = repaired(ordered(surface, order));
+    const SurfaceModel model = repaired(atria::testing::inOrder(surface, order));
     EXPECT_GT(model.repair.closedGaps, 0u);
     expectNear(areasOf(model), {{"Wall", 8.0}, {"Window", 1.0}}, 1e-6);
     expectNear(sharedOf(model), {{{"Window", "Wall"}, 1.0}}, 1e-6);

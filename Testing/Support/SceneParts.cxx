@@ -26,20 +26,7 @@ TriangleSurface SceneDraw::shuffled(const TriangleSurface& surface)
   std::vector<Index> order(surface.names.size());
   std::iota(order.begin(), order.end(), 0);
   std::shuffle(order.begin(), order.end(), random_);
-  TriangleSurface out;
-  for (const Index id : order)
-  {
-    std::vector<std::array<Index, 3>> triangles;
-    for (Index t = 0; t < surface.triangles.size(); ++t)
-    {
-      if (surface.surfaceIds[t] == id)
-      {
-        triangles.push_back(surface.triangles[t]);
-      }
-    }
-    addSurface(out, surface.names[id], surface.points, triangles);
-  }
-  return out;
+  return inOrder(surface, order);
 }
 
 double wallsOf(const Vec3& size) { return 2.0 * (size[0] + size[1]) * size[2]; }

@@ -25,6 +25,24 @@ void addSurface(TriangleSurface& to, const std::string& name, const std::vector<
   }
 }
 
+TriangleSurface inOrder(const TriangleSurface& surface, const std::vector<Index>& order)
+{
+  TriangleSurface out;
+  for (const Index id : order)
+  {
+    std::vector<std::array<Index, 3>> triangles;
+    for (Index t = 0; t < surface.triangles.size(); ++t)
+    {
+      if (surface.surfaceIds[t] == id)
+      {
+        triangles.push_back(surface.triangles[t]);
+      }
+    }
+    addSurface(out, surface.names[id], surface.points, triangles);
+  }
+  return out;
+}
+
 void addSheet(TriangleSurface& to, const std::string& name, const Vec3& corner, const Vec3& u, const Vec3& v)
 {
   addSurface(to, name, {corner, corner + u, corner + u + v, corner + v}, {{0, 1, 2}, {0, 2, 3}});

@@ -12,6 +12,9 @@ namespace atria::testing {
 void addSurface(TriangleSurface& to, const std::string& name, const std::vector<Vec3>& points,
                 const std::vector<std::array<Index, 3>>& triangles);
 
+/// Returns a surface with its surfaces in another order.
+TriangleSurface inOrder(const TriangleSurface& surface, const std::vector<Index>& order);
+
 /// Two triangles over the parallelogram at `corner` spanned by `u` and `v`; the front is where u x v points.
 void addSheet(TriangleSurface& to, const std::string& name, const Vec3& corner, const Vec3& u, const Vec3& v);
 
