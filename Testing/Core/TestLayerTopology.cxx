@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Layers are conformal on every mesh, whatever points they leave out.
 #include "Layer/BoundaryLayers.h"
+#include "Support/Campaign.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
 #include "Support/QuietContext.h"
@@ -9,7 +10,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <random>
 
@@ -17,8 +17,6 @@ namespace {
 
 using namespace atria;
 using namespace atria::testing;
-
-unsigned campaign(unsigned usual, unsigned full) { return std::getenv("ATRIA_TEST_FULL") ? full : usual; }
 
 Meshed meshSoup(const TriangleSurface& surface, unsigned seed)
 {

@@ -32,7 +32,7 @@ GridOptions gridOf(double sizeMin, double sizeMid)
   return grid;
 }
 
-class SharedMesher : public ::testing::TestWithParam<int>
+class SharedMesher : public OnNumbersOfRanks
 {
 };
 

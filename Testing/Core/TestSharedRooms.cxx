@@ -120,7 +120,7 @@ void addHouse(TriangleSurface& surface, const Vec3& low)
   addWall(surface, "Partition", low + Vec3(0, 3.2, 0), x, Vec3(0, 0, 3), {{1.5, 0.0, 2.4, 2.1}});
 }
 
-class SharedRooms : public ::testing::TestWithParam<int>
+class SharedRooms : public OnNumbersOfRanks
 {
 };
 

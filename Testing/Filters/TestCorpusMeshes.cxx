@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Models others wrote, meshed in a box around them: whatever they are like, the mesh is conformal and fills the box.
 #include "DualMesherTest.h"
+#include "Support/Campaign.h"
 #include "Support/TestPaths.h"
 #include "vtkAtriaMeshQuality.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace {
 
@@ -63,7 +63,7 @@ protected:
     const double longest = domain.size().maxCoeff();
     domain.min -= Vec3::Constant(0.25 * longest);
     domain.max += Vec3::Constant(0.25 * longest);
-    const double finest = longest / (std::getenv("ATRIA_TEST_FULL") ? 48.0 : 24.0);
+    const double finest = longest / (atria::testing::isFullCampaign() ? 48.0 : 24.0);
     atria::testing::setGrid(mesher, domain, finest, 2.0 * finest, 4.0 * finest);
     mesher->SetZoneRule(vtkAtriaDualMesher::All);
     mesher->SetInputDataObject(model);

@@ -2,6 +2,7 @@
 /// Meshes with one layer about simple shapes: checkMesh has nothing to object to, and they are good.
 #include "CheckWritten.h"
 #include "Quality/Checks/Metrics.h"
+#include "Support/Campaign.h"
 #include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 #include "VtkDualMesh.h"
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 namespace {
@@ -102,7 +102,7 @@ class LayeredShapes : public ::testing::TestWithParam<Shape>
 TEST_P(LayeredShapes, PassCheckMeshAndAreGood)
 {
   const Shape& shape = GetParam();
-  if (shape.large && !std::getenv("ATRIA_TEST_FULL"))
+  if (shape.large && !isFullCampaign())
   {
     GTEST_SKIP() << "set ATRIA_TEST_FULL for the large meshes";
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Quality of the meshes about the sphere in a cube: all valid, cell squish below 0.8.
+#include "Support/Campaign.h"
 #include "Support/VtkErrorGuard.h"
 #include "SurfaceInput.h"
 #include "vtkAtriaDualMesher.h"
@@ -8,8 +9,6 @@
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 #include <vtkVariant.h>
-
-#include <cstdlib>
 
 namespace {
 
@@ -29,7 +28,7 @@ class SphereQuality : public atria::testing::VtkTest, public ::testing::WithPara
 TEST_P(SphereQuality, IsValidAndNotSquished)
 {
   const Row row = GetParam();
-  if (row.large && !std::getenv("ATRIA_TEST_FULL"))
+  if (row.large && !atria::testing::isFullCampaign())
   {
     GTEST_SKIP() << "set ATRIA_TEST_FULL for the largest mesh";
   }

@@ -2,6 +2,7 @@
 /// What the dual mesher keeps of a run for the next one: whatever changes in between, its outputs are those of a fresh
 /// filter.
 #include "DualMesherTest.h"
+#include "Support/Campaign.h"
 #include "Support/ProgressWatch.h"
 #include "Support/TestPaths.h"
 #include "vtkAtriaOctreeSource.h"
@@ -9,7 +10,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <random>
@@ -297,7 +297,7 @@ TEST_F(StageCacheTest, ChangesInARowGiveWhatAFreshFilterDoes)
            c.command == "SetGapTolerance" || c.command == "SetGroundSnapRatio";
   });
   std::shuffle(changes.begin(), changes.end(), random);
-  if (!std::getenv("ATRIA_TEST_FULL"))
+  if (!atria::testing::isFullCampaign())
   {
     changes.erase(changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2), changes.end()); // ever slower ones
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Dirty models with known spaces: what must hold of their meshes.
 #include "CheckWritten.h"
+#include "Support/Campaign.h"
 #include "Support/DirtySoups.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
@@ -41,7 +42,7 @@ std::vector<unsigned> soupsOfPart(int part)
     return {static_cast<unsigned>(std::atoi(single))};
   }
   const char* number = std::getenv("ATRIA_TEST_SOUPS");
-  const int count = number != nullptr ? std::atoi(number) / parts : std::getenv("ATRIA_TEST_FULL") != nullptr ? 50 : 3;
+  const int count = number != nullptr ? std::atoi(number) / parts : isFullCampaign() ? 50 : 3;
   std::vector<unsigned> seeds;
   for (int i = 0; i < count; ++i)
   {

@@ -2,6 +2,7 @@
 /// Meshes of random scenes have the areas, volumes and footprints that are known of the scenes; the audit says the
 /// same.
 #include "Mesher/MeshStages.h"
+#include "Support/Campaign.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/QuietContext.h"
 #include "Support/Scenes.h"
@@ -11,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 
 namespace {
 
@@ -24,8 +24,6 @@ constexpr double tolerance = 0.005;
 constexpr double rounding = 1e-9;
 constexpr unsigned usualSeeds = 3;
 constexpr unsigned allSeeds = 8;
-
-unsigned campaign(unsigned usual, unsigned full) { return std::getenv("ATRIA_TEST_FULL") ? full : usual; }
 
 /// What a mesh has, from its faces and elements.
 struct MeshFigures

@@ -2,6 +2,7 @@
 /// What holds of every mesh of hexahedra, on random octrees, random soups and closed solids.
 #include "Mesher/DualMesher.h"
 #include "Octree/Tree/Balance.h"
+#include "Support/Campaign.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
 #include "Support/QuietContext.h"
@@ -12,14 +13,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace {
 
 using namespace atria;
 using namespace atria::testing;
-
-int campaign(int usual, int full) { return std::getenv("ATRIA_TEST_FULL") ? full : usual; }
 
 DualMesh dualOf(const GridFrame& frame, const RefinedSets& sets, bool hexahedra)
 {

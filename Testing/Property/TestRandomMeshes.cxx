@@ -2,6 +2,7 @@
 /// What holds of every mesh, on random octrees and random soups of triangles.
 #include "Octree/Sizing/Refinement.h"
 #include "Octree/Tree/Balance.h"
+#include "Support/Campaign.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
 #include "Support/QuietContext.h"
@@ -11,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <random>
 #include <set>
@@ -20,8 +20,6 @@ namespace {
 
 using namespace atria;
 using namespace atria::testing;
-
-int campaign(int usual, int full) { return std::getenv("ATRIA_TEST_FULL") ? full : usual; }
 
 /// Levels of leaves that touch, found by their boxes.
 void expectBalanced(const Octree& octree)

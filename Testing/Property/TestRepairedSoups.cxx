@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What must hold of every repaired surface, whatever went in.
+#include "Support/Campaign.h"
 #include "Support/QuietContext.h"
 #include "Surface/Repair/SurfaceRepair.h"
 
@@ -11,7 +12,6 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <random>
 
@@ -24,8 +24,7 @@ using atria::SurfaceRepairReport;
 using atria::TriangleSoup;
 using atria::TriangleSurface;
 using atria::Vec3;
-
-int runs(int usual, int full) { return std::getenv("ATRIA_TEST_FULL") ? full : usual; }
+using atria::testing::campaign;
 
 struct Repaired
 {
@@ -181,7 +180,7 @@ TriangleSurface confetti(unsigned seed, int count, double size)
 TEST(RepairedSoups, TrianglesInGeneralPositionMeetInCommonEdgesAndKeepTheirArea)
 {
   const atria::GridFrame frame = cube(8.0);
-  for (int seed = 0; seed < runs(30, 300); ++seed)
+  for (int seed = 0; seed < campaign(30, 300); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const TriangleSurface surface = confetti(seed, 40, 2.5);
@@ -200,7 +199,7 @@ TEST(RepairedSoups, TrianglesInGeneralPositionMeetInCommonEdgesAndKeepTheirArea)
 TEST(RepairedSoups, RandomBoxesSpheresAndSheetsMeetInCommonEdges)
 {
   const atria::GridFrame frame = cube(16.0);
-  for (int seed = 0; seed < runs(60, 1000); ++seed)
+  for (int seed = 0; seed < campaign(60, 1000); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Repaired out = repair(onLattice(atria::testing::randomSoup(seed), frame), frame);
@@ -245,7 +244,7 @@ TEST(RepairedSoups, BushesAsFineAsGapsComeToAnEnd)
 {
   const atria::GridFrame frame = cube(8.0);
   const double tolerance = 0.05 * frame.finestSize / frame.latticeUnit();
-  const int seeds = runs(10, 100);
+  const int seeds = campaign(10, 100);
   int resolved = 0;
   for (int seed = 0; seed < seeds; ++seed)
   {
@@ -261,7 +260,7 @@ TEST(RepairedSoups, BushesAsFineAsGapsComeToAnEnd)
 TEST(RepairedSoups, RepairingTwiceChangesNothing)
 {
   const atria::GridFrame frame = cube(16.0);
-  for (int seed = 0; seed < runs(60, 1000); ++seed)
+  for (int seed = 0; seed < campaign(60, 1000); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Repaired once = repair(onLattice(atria::testing::randomSoup(seed), frame), frame);
@@ -276,7 +275,7 @@ TEST(RepairedSoups, RepairingTwiceChangesNothing)
 TEST(RepairedSoups, SolidsThatCutEachOtherStayClosed)
 {
   const atria::GridFrame frame = cube(16.0);
-  for (int seed = 0; seed < runs(40, 400); ++seed)
+  for (int seed = 0; seed < campaign(40, 400); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
@@ -319,7 +318,7 @@ TEST(RepairedSoups, SolidsThatCutEachOtherStayClosed)
 TEST(RepairedSoups, AQuarterTurnMakesNoDifference)
 {
   const atria::GridFrame frame = cube(16.0);
-  for (int seed = 0; seed < runs(30, 300); ++seed)
+  for (int seed = 0; seed < campaign(30, 300); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const TriangleSoup soup = onLattice(confetti(seed, 30, 2.5), frame);

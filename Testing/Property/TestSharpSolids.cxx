@@ -2,6 +2,7 @@
 /// Uniform meshes about solids whose edges run across the grid.
 #include "CheckWritten.h"
 #include "Quality/Checks/Metrics.h"
+#include "Support/Campaign.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/QuietContext.h"
 #include "Support/Shapes.h"
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <random>
 #include <set>
@@ -96,7 +96,7 @@ class SharpSolids : public ::testing::TestWithParam<unsigned>
 TEST_P(SharpSolids, HaveGoodHexahedra)
 {
   const unsigned seed = GetParam();
-  if (seed >= usualSolids && !std::getenv("ATRIA_TEST_FULL"))
+  if (seed >= usualSolids && !isFullCampaign())
   {
     GTEST_SKIP() << "set ATRIA_TEST_FULL for more solids";
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The six rows of the published table: a sphere of radius 2 m in a cube of 10 m, the region between them
 /// meshed.
+#include "Support/Campaign.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
 #include "Support/Shapes.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 namespace {
@@ -57,7 +57,7 @@ double enclosedVolume(const DualMesh& mesh)
 TEST_P(SphereRow, HasThePublishedCountsAndIsValid)
 {
   const Row& row = GetParam();
-  if (row.large && !std::getenv("ATRIA_TEST_FULL"))
+  if (row.large && !isFullCampaign())
   {
     GTEST_SKIP() << "set ATRIA_TEST_FULL for the largest mesh";
   }

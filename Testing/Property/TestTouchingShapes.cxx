@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Round things that touch floors, planes of the grid and each other, as people draw them.
 #include "CheckWritten.h"
+#include "Support/Campaign.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/Shapes.h"
 #include "Support/Watchdog.h"
@@ -8,7 +9,6 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <random>
 
@@ -147,7 +147,7 @@ class TouchingShapes : public ::testing::TestWithParam<unsigned>
 TEST_P(TouchingShapes, AreMeshedSoundly)
 {
   const unsigned seed = GetParam();
-  if (seed >= usualScenes && !std::getenv("ATRIA_TEST_FULL"))
+  if (seed >= usualScenes && !isFullCampaign())
   {
     GTEST_SKIP() << "set ATRIA_TEST_FULL for more scenes";
   }

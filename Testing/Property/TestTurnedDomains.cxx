@@ -3,6 +3,7 @@
 #include "CheckWritten.h"
 #include "Domain/PlacedModel.h"
 #include "Mesher/MeshModel.h"
+#include "Support/Campaign.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/QuietContext.h"
 #include "Support/Shapes.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <iterator>
 #include <numbers>
 #include <numeric>
@@ -125,7 +125,7 @@ protected:
     const bool isUsual = GetParam() < usualSeeds || GetParam() == jogAtSide ||
                          (GetParam() >= firstPrism && GetParam() < firstPrism + 2 * std::size(sideCounts)) ||
                          (GetParam() >= firstPolygon && GetParam() < firstPolygon + 8);
-    if (!isUsual && !std::getenv("ATRIA_TEST_FULL"))
+    if (!isUsual && !atria::testing::isFullCampaign())
     {
       GTEST_SKIP() << "set ATRIA_TEST_FULL for more seeds";
     }
