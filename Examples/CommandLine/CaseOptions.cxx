@@ -143,9 +143,10 @@ void declareWarmAir(CLI::App& command, CaseOptions& options)
                   "degrees Celsius; may be repeated, the last holds")
       ->allow_extra_args(false)
       ->type_name("PATTERN CELSIUS");
-  command.add_flag("--calm", options.calm,
-                   "No wind and no inlets: warmth alone moves the air. Sides and top of the domain are open to air at "
-                   "rest, and so are a room's inlets and outlets");
+  command.add_flag(
+      "--calm", options.calm,
+      "No wind: warmth, fans and inlets of a given amount move the air. Sides and top of the domain are open to "
+      "air at rest, and so are a room's other inlets and outlets");
   command
       .add_option("--transient", options.transient,
                   "Compute this time from air at rest, seconds, instead of a steady flow (which air without wind may "

@@ -223,6 +223,11 @@ FanCurve fanCurveFrom(const std::string& pressure)
     }
     return {{0.0, *constant}};
   }
+  if (!std::filesystem::exists(pressure))
+  {
+    throw Error("the fan's pressure '" + pressure +
+                "' is neither a number of Pa, without a unit, nor a file with its curve");
+  }
   const auto isPoint = [](const std::vector<double>& n) {
     return n.size() == 2 && std::isfinite(n[0]) && std::isfinite(n[1]);
   };
@@ -239,6 +244,11 @@ FanCurve fanCurveFrom(const std::string& pressure)
     throw Error("'" + pressure + "': a fan of 0 Pa does nothing");
   }
   return curve;
+}
+
+double speedOf(const CaseBaffle& baffle)
+{
+  return baffle.isFan() ? std::sqrt(2.0 * baffle.curve[0].second / airDensity) : 0.0;
 }
 
 std::vector<CaseBaffle> bafflesOf(const PolyMesh& poly, const FlowCaseSettings& settings, const RunContext& context)

@@ -28,6 +28,9 @@ struct ScreenRule
 ScreenRule screenRuleFrom(const std::string& text);
 
 /// A fan in face zones. The last of several matching rules holds.
+/// Density of air at 15 degrees Celsius, kg/m3, by which pressures become those of OpenFOAM, Pa m3/kg.
+inline constexpr double airDensity = 1.225;
+
 struct FanRule
 {
   std::string pattern;  ///< see matchesPattern
@@ -61,6 +64,9 @@ struct CaseBaffle
   bool isFan() const { return !curve.empty(); }
   DividedZone division() const { return {zone, blowsBack}; }
 };
+
+/// Returns the speed of free air that the fan's greatest pressure gives, m/s; 0 for a screen.
+double speedOf(const CaseBaffle& baffle);
 
 /// Returns the screens and fans that rules make of the mesh's face zones. Throws Error if a rule matches no zone, if a
 /// zone has a screen and a fan, or if it is not nearly plane.

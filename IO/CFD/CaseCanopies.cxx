@@ -22,6 +22,8 @@ namespace {
 /// Share of a tree's height at which its crown begins.
 constexpr double crownBase = 1.0 / 3.0;
 constexpr const char* zoneName = "trees";
+/// Largest drag coefficient: of a plate across the wind. Leaves have 0.1 to 0.5.
+constexpr double largestDrag = 2.0;
 /// A length far below the sizes of cells, over the cube root of the smallest volume: also flat cells of layers have
 /// their centers farther apart.
 constexpr double smallShare = 1e-3;
@@ -30,7 +32,8 @@ bool isPositive(double value) { return value > 0.0 && std::isfinite(value); }
 
 bool isTree(const std::vector<double>& n)
 {
-  return n.size() == 6 && std::isfinite(n[0]) && std::isfinite(n[1]) && std::all_of(n.begin() + 2, n.end(), isPositive);
+  return n.size() == 6 && std::isfinite(n[0]) && std::isfinite(n[1]) &&
+         std::all_of(n.begin() + 2, n.end(), isPositive) && n[5] <= largestDrag;
 }
 
 /// Returns the height of the ground at a tree: that of the face of the ground with the nearest center, seen from above.
@@ -71,7 +74,10 @@ bool isInCrown(const Vec3& place, const Tree& tree, double ground)
   return (place - middle).cwiseQuotient(axes).squaredNorm() <= 1.0;
 }
 
-/// Gives cells without a tree to this one. Returns false if no cell is in its crown.
+double dragOf(const Tree& tree) { return tree.leafAreaDensity * tree.dragCoefficient; }
+
+/// Gives cells to a tree unless they have one whose leaves slow the air as much. Returns false if no cell is in its
+/// crown.
 bool plant(const Buffer<Vec3>& centers, const std::vector<Tree>& trees, std::size_t tree, double ground,
            std::vector<int>& treeOf)
 {
@@ -81,7 +87,9 @@ bool plant(const Buffer<Vec3>& centers, const std::vector<Tree>& trees, std::siz
     if (isInCrown(centers[cell], trees[tree], ground))
     {
       isPlanted = true;
-      treeOf[cell] = treeOf[cell] < 0 ? static_cast<int>(tree) : treeOf[cell];
+      const bool isDenser =
+          treeOf[cell] < 0 || dragOf(trees[tree]) > dragOf(trees[static_cast<std::size_t>(treeOf[cell])]);
+      treeOf[cell] = isDenser ? static_cast<int>(tree) : treeOf[cell];
     }
   }
   return isPlanted;
@@ -132,10 +140,12 @@ CanopyRule canopyRuleFrom(const std::string& text)
   std::string more;
   const bool isRule =
       static_cast<bool>(in >> std::quoted(rule.pattern) >> rule.leafAreaDensity >> rule.dragCoefficient);
-  if (!isRule || in >> more || !isPositive(rule.leafAreaDensity) || !isPositive(rule.dragCoefficient))
+  if (!isRule || in >> more || !isPositive(rule.leafAreaDensity) || !isPositive(rule.dragCoefficient) ||
+      rule.dragCoefficient > largestDrag)
   {
     throw Error("the canopy '" + text +
-                "' is not of the form PATTERN LAD CD, with a leaf area density in 1/m and a drag coefficient above 0, "
+                "' is not of the form PATTERN LAD CD, with a leaf area density in 1/m above 0 and a drag coefficient "
+                "of at most 2, "
                 "such as Trees 1.2 0.2");
   }
   return rule;
@@ -217,7 +227,8 @@ std::string surfaceOf(const CaseCanopy& canopy)
 std::vector<Tree> readTrees(const std::filesystem::path& file)
 {
   const NumberTable table{
-      "trees", "a tree has x, y, height, crown radius, LAD and Cd, and all but its place are above 0", isTree};
+      "trees", "a tree has x, y, height, crown radius, LAD and Cd; all but its place are above 0, and Cd is at most 2",
+      isTree};
   std::vector<Tree> trees;
   for (const NumberRow& row : readNumbers(file, table))
   {

@@ -65,22 +65,28 @@ void describeWind(const WindProfile& wind, Json& report)
   report["friction_velocity"] = wind.frictionVelocity();
 }
 
-double speedOfHeat(const CaseOfDirection& flow)
+/// Returns a typical speed of calm air, m/s: by heat, or where the pressure of the strongest fan becomes speed.
+double speedOfCalmAir(const CaseOfDirection& flow)
 {
-  return speedOfWarmAir(flow.heat, flow.settings.outdoorTemperature, flow.mesh.bounds.size()[2]);
+  double speed = speedOfWarmAir(flow.heat, flow.settings.outdoorTemperature, flow.mesh.bounds.size()[2]);
+  for (const CaseBaffle& baffle : flow.baffles)
+  {
+    speed = std::max(speed, speedOf(baffle));
+  }
+  return speed;
 }
 
 void describeRoom(const CaseOfDirection& flow, Json& report)
 {
   report["kind"] = "room";
-  report["reference_speed"] = suppliesOf(flow).empty() && flow.settings.calm ? speedOfHeat(flow) : supplySpeed(flow);
+  report["reference_speed"] = suppliesOf(flow).empty() && flow.settings.calm ? speedOfCalmAir(flow) : supplySpeed(flow);
 }
 
 /// Describes a domain whose air only heat moves.
 void describeCalm(const CaseOfDirection& flow, Json& report)
 {
   report["kind"] = "calm";
-  report["reference_speed"] = speedOfHeat(flow);
+  report["reference_speed"] = speedOfCalmAir(flow);
 }
 
 void describeHeat(const CaseOfDirection& flow, Json& report)
@@ -99,7 +105,7 @@ void describeHeat(const CaseOfDirection& flow, Json& report)
                         {"temperatures", flow.heat.temperatures},
                         {"incoming", flow.heat.incoming},
                         {"duration", settings.transientDuration},
-                        {"speed", speedOfHeat(flow)}};
+                        {"speed", speedOfCalmAir(flow)}};
 }
 
 void describeScalars(const CaseOfDirection& flow, Json& report)

@@ -144,6 +144,10 @@ void writeFields(const fs::path& folder, const CaseOfDirection& flow, const Fill
     its.values["conditionOfWalls"] = textOf(caseConditions(), field.row, walls);
     its.values["patches"] = patchesOf(field, flow, patches);
     append(its.values["patches"], sidesOf(field, flow, filling));
+    if (const CaseScalar* const scalar = scalarOf(flow, field))
+    {
+      its.values["scalarStart"] = {foamNumber(startOf(*scalar, flow.mesh, flow.choices))};
+    }
     writeFoamFile(folder, fileOf(field), field.className, textOf(caseFiles(), rowOfFile(field), its));
   }
 }

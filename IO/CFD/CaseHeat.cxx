@@ -155,7 +155,9 @@ double wholeHeat(const CaseHeat& heat)
   return whole;
 }
 
-void checkHeat(const CaseHeat& heat, const FlowCaseSettings& settings)
+/// Throws Error for heat and a temperature of the same surface, and where nothing moves the air: neither heat nor fans
+/// nor inlets that blow.
+void checkHeat(const CaseHeat& heat, const FlowCaseSettings& settings, const std::vector<PatchChoice>& choices)
 {
   for (const auto& [name, watts] : heat.surfaces)
   {
@@ -164,7 +166,10 @@ void checkHeat(const CaseHeat& heat, const FlowCaseSettings& settings)
       throw Error("surface '" + name + "' has both a temperature and heat: give one of them");
     }
   }
-  if (!(wholeHeat(heat) > 0.0) && !(largestDifferenceIn(heat, settings.outdoorTemperature) > 0.0))
+  const bool isBlown =
+      !settings.fanRules.empty() || std::ranges::any_of(choices, [](const auto& c) { return c.supply.has_value(); });
+  if (!(settings.calm && isBlown) && !(wholeHeat(heat) > 0.0) &&
+      !(largestDifferenceIn(heat, settings.outdoorTemperature) > 0.0))
   {
     throw Error(
         "nothing warms or cools the air: the heat of all sources adds up to nothing, and no temperature differs "
@@ -233,7 +238,7 @@ CaseHeat caseHeat(const CaseMesh& mesh, const FlowCaseSettings& settings, const 
   CaseHeat heat;
   addRules("heat", settings.heatRules, places, heat, addHeat);
   addRules("temperature", settings.temperatureRules, places, heat, addTemperature);
-  checkHeat(heat, settings);
+  checkHeat(heat, settings, choices);
   return heat;
 }
 

@@ -25,9 +25,14 @@ Places placesOf(const CaseMesh& mesh, const std::vector<PatchChoice>& choices)
   }
   for (std::size_t i = 0; i < choices.size(); ++i)
   {
+    const CasePatch& patch = mesh.patches[i];
     if (choices[i].role != PatchRole::Constraint)
     {
-      (letsAirIn(choices[i].role) ? places.openings : places.surfaces)[mesh.patches[i].name] = mesh.patches[i].area;
+      (letsAirIn(choices[i].role) ? places.openings : places.surfaces)[patch.name] = patch.area;
+    }
+    if (choices[i].role == PatchRole::Slip)
+    {
+      places.slipping[patch.name] = patch.area;
     }
   }
   return places;

@@ -19,6 +19,7 @@ struct Places
 {
   Sizes zones;
   Sizes surfaces; ///< walls, grounds and sides that slip
+  Sizes slipping; ///< surfaces along which air slips
   Sizes openings; ///< patches that let air in or out
 };
 

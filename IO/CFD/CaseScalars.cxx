@@ -41,11 +41,16 @@ void checkName(const std::string& name)
 std::string addSource(const ScalarRule& rule, const Places& places, bool takesSurfaces, CaseScalar& scalar)
 {
   const Sizes zones = matching(rule.pattern, places.zones);
-  const Sizes surfaces = matching(rule.pattern, places.surfaces);
+  Sizes surfaces = matching(rule.pattern, places.surfaces);
   if (sum(zones) > 0.0)
   {
     divide(rule.amount, zones, scalar.zones);
     return {};
+  }
+  if (std::erase_if(surfaces, [&](const auto& named) { return places.slipping.contains(named.first); }) > 0 &&
+      surfaces.empty())
+  {
+    return "'" + rule.pattern + "' is a side along which air slips, and no wall: name a wall, a ground or a cell zone";
   }
   if (surfaces.empty())
   {
@@ -64,14 +69,17 @@ std::string addSource(const ScalarRule& rule, const Places& places, bool takesSu
   return {};
 }
 
-std::string addIncoming(const ScalarRule& rule, const Places& places, CaseScalar& scalar)
+/// Adds a concentration. Returns why it cannot, or nothing. With other directions of the wind, air may come in at a
+/// side along which it slips with this one.
+std::string addIncoming(const ScalarRule& rule, const Places& places, bool hasOtherDirections, CaseScalar& scalar)
 {
   const Sizes openings = matching(rule.pattern, places.openings);
   for (const auto& [name, size] : openings)
   {
     scalar.incoming[name] = rule.amount;
   }
-  return !openings.empty()
+  const bool mayComeIn = hasOtherDirections && !matching(rule.pattern, places.slipping).empty();
+  return !openings.empty() || mayComeIn
              ? ""
              : "no air comes in at '" + rule.pattern + "': name an inlet, or give a source per second, such as 5e-6/s";
 }
@@ -82,9 +90,10 @@ CaseScalar& scalarCalled(const std::string& name, std::vector<CaseScalar>& scala
   return found != scalars.end() ? *found : scalars.emplace_back(CaseScalar{name, {}, {}, {}});
 }
 
-void refuseNothing(const CaseScalar& scalar)
+void refuseNothing(const CaseScalar& scalar, const std::vector<ScalarRule>& rules)
 {
-  if (!(sum(scalar.zones) + sum(scalar.surfaces) + sum(scalar.incoming) > 0.0))
+  const auto isSomething = [&](const ScalarRule& rule) { return rule.scalar == scalar.name && rule.amount > 0.0; };
+  if (std::ranges::none_of(rules, isSomething))
   {
     throw Error("scalar '" + scalar.name + "': its sources add up to nothing, and none comes in with the air");
   }
@@ -135,14 +144,38 @@ std::vector<CaseScalar> caseScalars(const CaseMesh& mesh, const FlowCaseSettings
     CaseScalar& scalar = scalarCalled(rule.scalar, scalars);
     const std::string fault = !isKnown(rule.pattern, places) ? unmatched(rule.pattern, places)
                               : rule.isSource ? addSource(rule, places, !isFoundation(settings.dialect), scalar)
-                                              : addIncoming(rule, places, scalar);
+                                              : addIncoming(rule, places, settings.directions.size() > 1, scalar);
     if (!fault.empty())
     {
       throw Error("scalar '" + rule.scalar + "': " + fault);
     }
   }
-  std::ranges::for_each(scalars, refuseNothing);
+  for (const CaseScalar& scalar : scalars)
+  {
+    refuseNothing(scalar, settings.scalarRules);
+  }
   return scalars;
+}
+
+double CaseScalar::incomingAt(const std::string& patch) const
+{
+  const auto found = incoming.find(patch);
+  return found == incoming.end() ? 0.0 : found->second;
+}
+
+double startOf(const CaseScalar& scalar, const CaseMesh& mesh, const std::vector<PatchChoice>& choices)
+{
+  std::optional<double> least;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+  {
+    const bool airComesIn = choices[i].role == PatchRole::Inlet || choices[i].role == PatchRole::InletOutlet;
+    if (airComesIn && mesh.patches[i].area > 0.0)
+    {
+      const double incoming = scalar.incomingAt(mesh.patches[i].name);
+      least = std::min(least.value_or(incoming), incoming);
+    }
+  }
+  return least.value_or(0.0);
 }
 
 } // namespace atria

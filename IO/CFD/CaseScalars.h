@@ -33,7 +33,13 @@ struct CaseScalar
   std::map<std::string, double> zones;    ///< sources by cell zone, units/s
   std::map<std::string, double> surfaces; ///< sources by patch, units/s
   std::map<std::string, double> incoming; ///< concentration of the air that comes in, by patch, units/m3
+
+  /// Returns the concentration of the air that comes in at a patch, units/m3.
+  double incomingAt(const std::string& patch) const;
 };
+
+/// Returns the concentration at the start of a run: the least of those that come in, units/m3.
+double startOf(const CaseScalar& scalar, const CaseMesh& mesh, const std::vector<PatchChoice>& choices);
 
 /// Returns all scalars in the order of their first rules. A source of several zones or patches is divided among them in
 /// proportion to volume or area. Throws Error for

@@ -15,8 +15,9 @@ namespace {
 //   warmAir, transient, outdoorsAtRest (calm air in a cell zone of the outdoors);
 //   patches: inletBySpeed, inletByFlow, windInlet, windBothWays (a windInlet too), opening (of a room or to calm air),
 //   outlet, slip, ground (ownRoughness too if it has a roughness length of its own), wall, roughWall, constraint;
-//   surfaceSource of a passive scalar or of heat, fixedTemperature; leaves if they are sources of turbulence; screen
-//   and fan at the two sides of a face zone that has one; undivided if processors keep sides together.
+//   surfaceSource of a passive scalar or of heat, fixedTemperature; canopies, and leaves if they are sources of
+//   turbulence; screen and fan at the two sides of a face zone that has one; undivided if processors keep sides
+//   together.
 // The name of a template ends with a dialect where other dialects have another template.
 // clang-format off
 
@@ -149,6 +150,7 @@ constexpr CaseRow parts[] = {
   {"divScheme",        "warmAir T",           "system/divScheme.T"},
   {"divScheme",        "",                    "system/divScheme"},
   {"pressureGradient", "warmAir",             "system/pressureGradient"},
+  {"pressureGradient", "canopies",            "system/pressureGradientAtLeaves"},
   {"temperatureOfFaces", "warmAir",           "system/temperatureOfFaces"},
   {"algorithm",        "transient",           "system/algorithm.transient"},
   {"algorithm",        "",                    "system/algorithm.steady"},

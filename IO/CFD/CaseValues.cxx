@@ -13,9 +13,7 @@ namespace atria {
 
 namespace {
 
-/// Kinematic viscosity and density of air at 15 degrees Celsius, m2/s and kg/m3.
-constexpr double airViscosity = 1.5e-5;
-constexpr double airDensity = 1.225;
+constexpr double airViscosity = 1.5e-5; ///< kinematic viscosity at 15 degrees Celsius, m2/s
 /// E of OpenFOAM's wall functions. Sand grains of this many roughness lengths give the same profile, with Cs = 1;
 /// Blocken, Stathopoulos and Carmeliet (2007), "CFD simulation of the atmospheric boundary layer: wall function
 /// problems", Atmospheric Environment 41, 238-252.
@@ -65,13 +63,30 @@ double hydraulicDiameter(const CasePatch& patch)
   return 2.0 * patch.area / std::sqrt(patch.bounds.size().squaredNorm() + 2.0 * patch.area);
 }
 
-Turbulence turbulenceOf(const Supply& supply, const CasePatch& patch)
+/// Returns the turbulence of a jet with a speed, m/s, out of an opening with a hydraulic diameter, meters.
+Turbulence turbulenceOf(double speed, double diameter)
 {
-  const double speed = supplyIntensity * supply.speed(patch.area);
-  const double k = 1.5 * speed * speed;
-  const double length = eddyShare * hydraulicDiameter(patch);
+  const double k = 1.5 * supplyIntensity * speed * supplyIntensity * speed;
+  const double length = eddyShare * diameter;
   return {k, std::pow(turbulenceCmu, 0.75) * std::pow(k, 1.5) / length,
           std::sqrt(k) / (std::pow(turbulenceCmu, 0.25) * length)};
+}
+
+Turbulence turbulenceOf(const Supply& supply, const CasePatch& patch)
+{
+  return turbulenceOf(supply.speed(patch.area), hydraulicDiameter(patch));
+}
+
+/// Returns the turbulence of calm air, or where the strongest fan's pressure becomes speed.
+Turbulence turbulenceOfCalmAir(const CaseOfDirection& flow)
+{
+  Turbulence found{calmK, calmEpsilon, calmEpsilon / (turbulenceCmu * calmK)};
+  for (const CaseBaffle& baffle : flow.baffles)
+  {
+    const Turbulence its = turbulenceOf(speedOf(baffle), std::sqrt(baffle.area));
+    found = its.k > found.k ? its : found;
+  }
+  return found;
 }
 
 /// Returns the turbulence of the wind at its reference height, or, in a room, of the inlet with the largest flow rate.
@@ -91,7 +106,7 @@ Turbulence typicalTurbulence(const CaseOfDirection& flow)
   }
   if (flow.settings.calm && !(most > 0.0))
   {
-    return {calmK, calmEpsilon, calmEpsilon / (turbulenceCmu * calmK)};
+    return turbulenceOfCalmAir(flow);
   }
   const WindProfile& wind = flow.settings.wind;
   const double z = wind.referenceHeight;
@@ -214,6 +229,7 @@ void addFacts(Filling& filling, const CaseOfDirection& flow)
       {"ageOfAir", settings.ageOfAir},
       {"fvModels", hasModels(flow)},
       {"fvOptions", !isFoundation(settings.dialect) && (hasPorosity(flow) || settings.warmAir)},
+      {"canopies", !flow.canopies.empty()},
       {"leaves", flow.leavesMakeTurbulence()},
       {"warmAir", settings.warmAir},
       {"transient", settings.transientDuration > 0.0},
@@ -462,8 +478,7 @@ void addScalarAt(Filling& filling, const CaseScalar& scalar, const CasePatch& pa
     filling.facts.insert("surfaceSource");
     add(filling.values, "fluxOfSource", source->second / patch.area);
   }
-  const auto incoming = scalar.incoming.find(patch.name);
-  add(filling.values, "incoming", incoming == scalar.incoming.end() ? 0.0 : incoming->second);
+  add(filling.values, "incoming", scalar.incomingAt(patch.name));
 }
 
 } // namespace atria

@@ -70,6 +70,13 @@ PatchRole roleOf(const CasePatch& patch, const Vec3& wind)
   return up > mostlyOneWay ? PatchRole::Slip : up < -mostlyOneWay ? PatchRole::Ground : roleOfUpright(patch, wind);
 }
 
+/// True for a patch at the base of a cell zone, such as a hedge, that stands on the ground.
+bool isBaseOfZone(const CasePatch& patch, const CaseMesh& mesh)
+{
+  return patch.areaVector[2] < -mostlyOneWay * patch.area &&
+         std::ranges::find(mesh.rooms, patch.name, &CaseRoom::name) != mesh.rooms.end();
+}
+
 /// Returns the role of a patch in calm air, where sides and the sky are open.
 PatchRole roleInCalm(const CasePatch& patch)
 {
@@ -192,7 +199,9 @@ void requireInletAndOutlet(const CaseMesh& mesh, const std::vector<PatchChoice>&
   {
     throw Error("no patch blows air into the room: it has outlets only (" + joined(outlets) +
                 "), and nothing would flow. Name an inlet, such as PatchRules NAME inlet" +
-                (settings.warmAir ? "; or let warm air move by itself, Calm" : ""));
+                (settings.warmAir             ? "; or let warm air move by itself, Calm"
+                 : !settings.fanRules.empty() ? "; or let fans move the air, Calm with WarmAir and OutdoorTemperature"
+                                              : ""));
   }
 }
 
@@ -286,7 +295,10 @@ std::vector<PatchChoice> choosePatches(const CaseMesh& mesh, const FlowCaseSetti
   std::vector<PatchChoice> choices;
   for (std::size_t i = 0; i < mesh.patches.size(); ++i)
   {
-    const PatchRole role = settings.calm ? roleInCalm(mesh.patches[i]) : roleOf(mesh.patches[i], wind);
+    const CasePatch& patch = mesh.patches[i];
+    const PatchRole role = isBaseOfZone(patch, mesh) ? PatchRole::Ground
+                           : settings.calm           ? roleInCalm(patch)
+                                                     : roleOf(patch, wind);
     choices.push_back(rules[i] ? rules[i]->choice : PatchChoice{role, 0.0});
   }
   if (settings.calm)

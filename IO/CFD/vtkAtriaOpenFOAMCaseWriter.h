@@ -320,8 +320,8 @@ public:
 
   ///@{
   /**
-   * Neither wind nor inlets move the air, only warmth does: sides and top of the domain are open to air at rest, and so
-   * are a room's inlets and outlets. Needs WarmAir. Off by default.
+   * No wind moves the air, only warmth, fans and inlets of a given amount do: sides and top of the domain are open to
+   * air at rest, and so are a room's other inlets and outlets. Needs WarmAir. Off by default.
    */
   vtkSetMacro(Calm, bool);
   vtkGetMacro(Calm, bool);

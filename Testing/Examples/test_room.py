@@ -279,11 +279,11 @@ class Room(unittest.TestCase):
         self.assertGreater(run.effectiveness("CO2", run.fields.mean_everywhere("CO2")), 0.5)
         self.assertIn("effectiveness for dust", (folder / "report.html").read_text())
 
-    def hedge(self):
-        """A duct of 40 m with a hedge across, 15 m to 25 m from its inlet."""
+    def hedge(self, columns=range(30, 50)):
+        """A duct of 40 m with a hedge across, 15 m to 25 m from its inlet, or in the given columns of half a meter."""
         duct, across = self.folder / "duct", 80
         write_box(duct, (across, 2, 2), ((0.0, 40.0), (0.0, 2.0), (0.0, 2.0)))
-        cells = [i + across * row for row in range(4) for i in range(30, 50)]
+        cells = [i + across * row for row in range(4) for i in columns]
         (duct / "constant/polyMesh/cellZones").write_text(header("cellZones", "regIOobject") + (
             f"1\n(\nHedge {{ type cellZone; cellLabels List<label> {len(cells)}({' '.join(map(str, cells))}); }}\n)\n"))
         return duct, ("--kind", "room", "--patch", "xMin", "inlet:5m/s", "--patch", "xMax", "outlet", "--patch", "y*", "slip",
@@ -307,6 +307,7 @@ class Room(unittest.TestCase):
         self.refuses(3, "did you mean 'Hedge'?", duct, *roles, "--canopy", "Hegde", "1", "0.2")
         table.write_text("20 1 1.8 1 1 0.2\n20 1 -1 1 1 0.2\n")
         self.refuses(3, "line 2", duct, *roles, "--trees", table)
+        self.refuses(3, "at most 2", duct, *roles, "--canopy", "Hedge", "0.2", "20")
 
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_leaves_take_momentum(self):
@@ -317,6 +318,42 @@ class Room(unittest.TestCase):
         pressure = Case(folder).runs[0].fields.mesh.GetCellData().GetArray("p").GetValue
         self.assertAlmostEqual((pressure(35) - pressure(45)) / 5.0, 0.2 * 1.5 * 25.0, delta=0.05)
         self.assertAlmostEqual((pressure(5) - pressure(75)) / 10.0, 0.2 * 1.5 * 25.0, delta=0.2)
+
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_few_cells_of_leaves_take_as_much(self):
+        """A limited gradient of the pressure would make it up to two fifths more."""
+        for count in (1, 2):
+            duct, roles = self.hedge(range(30, 30 + count))
+            folder = self.case(duct, *roles, "--canopy", "Hedge", "1.5", "0.2", "--iterations", "200", stderr="canopies slow the air")
+            self.run_case(folder)
+            pressure = Case(folder).runs[0].fields.mesh.GetCellData().GetArray("p").GetValue
+            self.assertAlmostEqual((pressure(5) - pressure(75)) / (0.5 * count * 0.2 * 1.5 * 25.0), 1.0, delta=0.1)
+            shutil.rmtree(folder)
+            shutil.rmtree(duct)
+
+    def test_of_crowns_that_overlap_the_denser_holds(self):
+        duct, roles = self.hedge()
+        table = self.folder / "trees.csv"
+        for rows in (("20,1,1.8,1,1,0.2", "20,1,1.8,1,9,0.2"), ("20,1,1.8,1,9,0.2", "20,1,1.8,1,1,0.2")):
+            table.write_text("\n".join(rows))
+            canopies = self.described(self.case(duct, *roles, "--trees", table, stderr="canopies slow the air"))["canopies"]
+            self.assertEqual([canopy["leaf_area_density"] for canopy in canopies], [9.0])
+
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_a_run_that_failed_is_run_again(self):
+        duct, roles = self.hedge()
+        folder = self.case(duct, *roles, "--iterations", "2")
+        solution = folder / "system/fvSolution"
+        text = solution.read_text()
+        solution.write_text("nonsense")
+        failed = subprocess.run(["sh", "Allrun"], cwd=folder, capture_output=True, text=True, check=False, env=os.environ | MPI)
+        self.assertEqual((failed.returncode, "simpleFoam failed" in failed.stderr), (1, True), failed.stderr)
+        solution.write_text(text)
+        self.run_case(folder)
+        again = subprocess.run([folder / "Allrun"], capture_output=True, text=True, check=False, env=os.environ | MPI)
+        self.assertIn("simpleFoam has run", again.stdout)
+        subprocess.run(["sh", "Allclean"], cwd=folder, check=True)
+        self.assertEqual(list(folder.glob("log.*")), [])
 
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_leaves_make_turbulence(self):

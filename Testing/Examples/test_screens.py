@@ -110,7 +110,8 @@ class Screens(unittest.TestCase):
         self.refuses("PATTERN RESISTANCE", "--screen", "Fan", "-2")
         self.refuses("has a screen and a fan", "--screen", "*", "2", "--fan", "Fan", "20")
         curve = self.folder / "fan.csv"
-        self.refuses("cannot read the curve", "--fan", "Fan", curve)
+        self.refuses("is neither a number of Pa, without a unit, nor a file", "--fan", "Fan", curve)
+        self.refuses("is neither a number of Pa, without a unit, nor a file", "--fan", "Fan", "40Pa")
         curve.write_text("flow, pressure\n0, 40\n1, 50\n")
         self.refuses("fan.csv', line 3: the pressure is above that of the line before", "--fan", "Fan", curve)
 
@@ -160,6 +161,15 @@ class Screens(unittest.TestCase):
             self.assertAlmostEqual(mean / speed, 1.0, delta=0.01)
             self.assertAlmostEqual(measured / wanted, 1.0, delta=0.03, msg=name)
             self.assertAlmostEqual(by_rule / wanted, 1.0, delta=0.03, msg=name)
+
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_a_fan_moves_still_air(self):
+        """Its pressure becomes speed."""
+        folder = self.case(*WALLS[:-3], "--patch", "x*", "inletOutlet", "--calm", "--outdoor-temperature", "20", "--fan", "Fan", "40",
+                           "--iterations", "800")
+        self.assertAlmostEqual(Case(folder).described["reference_speed"], math.sqrt(2.0 * 40.0 / DENSITY), delta=1e-6)
+        self.run_case(folder)
+        self.assertAlmostEqual(self.flow(folder, "Fan") / math.sqrt(2.0 * 40.0 / DENSITY), 1.0, delta=0.01)
 
     def test_a_fan_may_blow_back(self):
         fan, screen = screens.screens_of({"fans": [{"zone": "f", "blows_back": True, "curve": [[0, 40], [2, 0]]}],

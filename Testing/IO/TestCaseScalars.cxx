@@ -86,6 +86,25 @@ TEST_F(CaseScalars, RefusePlacesThatDoNotSuit)
   EXPECT_THAT(refusal({"CO2 office 0/s", "CO2 In 0"}), HasSubstr("add up to nothing"));
   mesh.patches[2].area = 0.0;
   EXPECT_THAT(refusal({"CO2 Floor 1/s"}), HasSubstr("no faces of 'Floor'"));
+  choices[3].role = PatchRole::Slip;
+  EXPECT_THAT(refusal({"CO2 Floor_2 1/s"}), HasSubstr("along which air slips"));
+}
+
+TEST_F(CaseScalars, MayComeInWithOtherDirections)
+{
+  choices[3].role = PatchRole::Slip;
+  EXPECT_THAT(refusal({"CO2 Floor_2 400"}), HasSubstr("no air comes in at 'Floor_2'"));
+  settings.directions = {0.0, 90.0};
+  EXPECT_TRUE(scalarsOf({"CO2 Floor_2 400"})[0].incoming.empty());
+  EXPECT_THAT(refusal({"CO2 Floor 400"}), HasSubstr("no air comes in at 'Floor'"));
+}
+
+TEST_F(CaseScalars, StartWithTheLeastThatComesIn)
+{
+  EXPECT_DOUBLE_EQ(startOf(scalarsOf({"CO2 In 400"})[0], mesh, choices), 400.0);
+  choices[1].role = PatchRole::InletOutlet;
+  EXPECT_DOUBLE_EQ(startOf(scalarsOf({"CO2 In 400"})[0], mesh, choices), 0.0);
+  EXPECT_DOUBLE_EQ(startOf(scalarsOf({"CO2 In 400", "CO2 Out 300"})[0], mesh, choices), 300.0);
 }
 
 TEST_F(CaseScalars, HaveEntriesOfEachDialect)

@@ -78,11 +78,16 @@ TEST(WindDirections, GoBothWays)
 TEST(PatchRoles, FollowFromShapeAndWind)
 {
   atria::CaseMesh mesh;
-  mesh.patches = {patch("west", "patch", {-10, 0, 0}, 10),       patch("round", "patch", {1, 0, 0}, 50),
-                  patch("top", "patch", {0, 0, 9}, 9),           patch("below", "patch", {0, 0, -9}, 9),
-                  patch("hill", "wall", {0, 1, -8}, 9),          patch("floor", "wall", {0, 0, -4}, 4),
-                  patch("mirror", "symmetryPlane", {0, 5, 0}, 5)};
+  mesh.patches = {patch("west", "patch", {-10, 0, 0}, 10),
+                  patch("round", "patch", {1, 0, 0}, 50),
+                  patch("top", "patch", {0, 0, 9}, 9),
+                  patch("below", "patch", {0, 0, -9}, 9),
+                  patch("hill", "wall", {0, 1, -8}, 9),
+                  patch("floor", "wall", {0, 0, -4}, 4),
+                  patch("mirror", "symmetryPlane", {0, 5, 0}, 5),
+                  patch("hedge", "wall", {0, 0, -4}, 4)};
   mesh.patches[4].meetsSides = true;
+  mesh.rooms = {{"hedge", 4.0}};
   const auto choices = choosePatches(mesh, {}, {1, 0, 0});
   std::vector<PatchRole> roles;
   for (const atria::PatchChoice& choice : choices)
@@ -90,7 +95,7 @@ TEST(PatchRoles, FollowFromShapeAndWind)
     roles.push_back(choice.role);
   }
   EXPECT_EQ(roles, (std::vector{PatchRole::Inlet, PatchRole::InletOutlet, PatchRole::Slip, PatchRole::Ground,
-                                PatchRole::Ground, PatchRole::Wall, PatchRole::Constraint}));
+                                PatchRole::Ground, PatchRole::Wall, PatchRole::Constraint, PatchRole::Ground}));
 }
 
 TEST(PatchRules, OfSeveralTheLastHolds)
