@@ -111,6 +111,16 @@ class Ranks(unittest.TestCase):
             for name, data in files.items():
                 self.assertEqual(data, results[0][2][name], (ranks, name))
 
+    def test_ranks_write_hexahedra_that_one_process_makes(self):
+        written = []
+        for ranks in (0, 2):
+            folder = self.folder(str(ranks))
+            result = run(ranks, "mesh", HOUSE, *COARSE, "--hex", "--layers", "0", "--block-size", "300", "-o", "mesh.vtu", cwd=folder)
+            self.assertIn(result.returncode, (0, 4), result.stderr)
+            written.append((result.returncode, said(result), self.contents(folder)))
+        self.assertEqual(*written)
+        self.assertRegex("\n".join(written[0][1][0]), r"(?m)^elements +(\d+): \1 hexahedra")
+
     def expect_that_of_one_process(self, *options):
         """With blocks the ranks make the mesh, and not the first one alone."""
         outputs = ["-o", "mesh.vtu", "--patches", "mesh.vtpc", "--openfoam", "case", "--processors", "1", "--report", "r.json"]

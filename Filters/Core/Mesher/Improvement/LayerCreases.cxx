@@ -12,12 +12,18 @@ namespace atria {
 
 namespace {
 
-/// Returns the least scaled Jacobian of all hexahedra.
-double leastScaledJacobian(const DualMesh& mesh, const RunContext& context)
+/// How good the hexahedra of a mesh are.
+struct Goodness
+{
+  double least = std::numeric_limits<double>::infinity(); ///< scaled Jacobian of the worst
+  std::size_t poor = 0;                                   ///< hexahedra below the wanted scaled Jacobian
+};
+
+Goodness goodnessOf(const DualMesh& mesh, double wantedJacobian, const RunContext& context)
 {
   const DualSource source(mesh);
   const Pieces pieces(mesh.elementCount());
-  std::vector<double> least(pieces.count, std::numeric_limits<double>::infinity());
+  std::vector<Goodness> found(pieces.count);
   context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
     context.progress.check();
     for (std::size_t e = pieces.begin(piece); e < pieces.end(piece); ++e)
@@ -25,10 +31,18 @@ double leastScaledJacobian(const DualMesh& mesh, const RunContext& context)
       const NativeCell native = source.nativeOf(static_cast<Index>(e));
       std::array<Vec3, 8> corners;
       std::ranges::transform(native.corners, corners.begin(), [&](Index p) { return mesh.points[p]; });
-      least[piece] = native.type == 0 ? least[piece] : std::min(least[piece], scaledJacobian(native.type, corners));
+      const double jacobian = native.type == 0 ? wantedJacobian : scaledJacobian(native.type, corners);
+      found[piece].least = native.type == 0 ? found[piece].least : std::min(found[piece].least, jacobian);
+      found[piece].poor += jacobian < wantedJacobian ? 1 : 0;
     }
   });
-  return std::ranges::min(least);
+  Goodness whole;
+  for (const Goodness& piece : found)
+  {
+    whole.least = std::min(whole.least, piece.least);
+    whole.poor += piece.poor;
+  }
+  return whole;
 }
 
 /// Improves the cells of crease sheets and those around them.
@@ -94,8 +108,8 @@ void addCreaseSheets(ImproverState& state)
   }
   const LayerMesh before = state.layer;
   LayerMesh best = state.layer;
-  double bestWorst = leastScaledJacobian(before.mesh, state.context);
   const double wantedJacobian = wantedOfCreaseSheets(state.traits).jacobianLimit;
+  Goodness bestOf = goodnessOf(before.mesh, wantedJacobian, state.context);
   for (const double width : creaseWidths)
   {
     state.layer = before;
@@ -110,13 +124,15 @@ void addCreaseSheets(ImproverState& state)
     });
     const bool isValid =
         CreaseSheetImprover(state.layer.mesh, state.layer.creaseSheets, constraints, state.traits, state.context).run();
-    const double worst = leastScaledJacobian(state.layer.mesh, state.context);
-    if (isValid && worst >= bestWorst)
+    const Goodness its = goodnessOf(state.layer.mesh, wantedJacobian, state.context);
+    // Cells at steps of boundary edges that layers go round miss the targets with any width, so the worst tells
+    // nothing.
+    const bool isBetter = state.traits.wraps ? its.poor < bestOf.poor : its.least >= bestOf.least;
+    if (isValid && isBetter)
     {
       best = std::move(state.layer);
-      bestWorst = worst;
-      // Cells at steps of boundary edges that layers go round miss the targets with any width.
-      if (worst >= wantedJacobian || state.traits.wraps)
+      bestOf = its;
+      if (its.poor == 0 || state.traits.wraps)
       {
         break;
       }
