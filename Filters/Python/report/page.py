@@ -8,8 +8,10 @@ import html
 import numpy
 
 from ..errors import Error
-from . import charts, comfort, pictures, results, screens, yearly
-from .case import MOST_Y_PLUS, OUTSIDE
+from . import charts, comfort, pictures, results
+from .case import MOST_Y_PLUS
+from .rooms import rooms
+from .writing import folded, judgement, number, percent, table, watts
 
 _STYLE = """body { font-family: Arial, Helvetica, sans-serif; color: #282828; }
 body { margin: 24px auto; max-width: 1180px; padding: 0 16px; }
@@ -30,49 +32,9 @@ img { max-width: 100%; } svg { max-width: 100%; height: auto; } summary { cursor
 @media (max-width: 600px) { th, td { padding: 3px 7px; } .bar i { width: 120px; } }
 @media print { body { font-size: 10pt; margin: 0; } th, td { padding: 2px 6px; } .row { display: block; }
 .row figure { display: inline-block; vertical-align: top; width: 48%; } }"""
-_WORD_STYLES = {"settled": "good", "nearly settled": "fair", "unsettled": "bad",
-                "low": "good", "levelled off": "fair", "high": "bad"}
 # In the chart of what must settle: the answers come first.
 MOST_LINES = 8
 _CLASS_COLORS = ("#2f855a", "#9ac66b", "#f6e05e", "#ed8936", "#c53030")
-
-
-def _table(head, rows, kind=""):
-    """Cells are HTML. In a table of the kind `words` the last column is text; a table may have no head."""
-    def cells(tag, row):
-        return "".join(f"<{tag}>{cell}</{tag}>" for cell in row)
-
-    lines = "".join(f"<tr>{cells('td', row)}</tr>" for row in rows)
-    above = f"<tr>{cells('th', head)}</tr>" if head else ""
-    return f'<div class="wide"><table class="{kind}">{above}{lines}</table></div>'
-
-
-def _judgement(word):
-    return f'<span class="{_WORD_STYLES[word]}">{word}</span>'
-
-
-def _folded(title, content, several):
-    """Of several directions each is folded up."""
-    if not several:
-        return content
-    return f"<details><summary>{html.escape(title)}</summary>{content}</details>"
-
-
-def _number(value, digits=3):
-    return "–" if value is None else f"{value:.0f}" if 1e3 <= abs(value) < 1e9 else f"{value:.{digits}g}"
-
-
-def _watts(value, whole):
-    """Heat; what is a rounding error of the whole is nothing."""
-    return _number(value if value is None or abs(value) > 1e-5 * abs(whole) else 0.0, 4)
-
-
-def _percent(share):
-    return f"{100 * share:.2g} %" if abs(share) >= 1e-4 else "less than 0.01 %"
-
-
-def _time(minutes):
-    return f"{minutes:.3g} min" if minutes >= 1.0 else f"{60.0 * minutes:.3g} s"
 
 
 def _doubts_of_mesh(case):
@@ -130,155 +92,25 @@ def _doubts_as_list(found):
     return "<h2>What to doubt</h2><ul>" + "".join(f"<li>{html.escape(text)}</li>" for text in found) + "</ul>"
 
 
-def _climate_rows(case, climate):
-    """Air changes over the hours of the climate: their mean, and what shares of hours exceed."""
-    if not climate or comfort.widest_gap(climate, [run.origin for run in case.runs]) > comfort.MOST_APART:
-        return
-    of_all = {run.origin: run.all_air_changes() for run in case.runs}
-    wholes = [of_all, *({run.origin: run.air_changes(room) for run in case.runs} for room in case.ventilated)]
-    if any(changes is None for whole in wholes for changes in whole.values()):
-        return
-    known = [{origin: changes.last() for origin, changes in whole.items()} for whole in wholes]
-    whole, *of_rooms = (_number(yearly.mean(climate, changes, case.speed)) for changes in known)
-    yield ["mean over the climate's hours", f"<b>{whole}</b>", *of_rooms]
-    for share in yearly.SHARES:
-        exceeded = [_number(yearly.exceeded(climate, changes, case.speed, share)) for changes in known]
-        yield [f"exceeded in {100 * share:g} % of them", *exceeded]
-
-
-def _summary(case, climate):
-    """The answers of all directions in one table."""
-    rows = []
-    for run in case.runs:
-        whole = run.all_air_changes()
-        rooms = [_number(changes.last() if (changes := run.air_changes(room)) else None) for room in case.ventilated]
-        rows.append([run.title, f"<b>{_number(whole.last() if whole else None)}</b>", *rooms])
-    head = ("air changes per hour", "building", *map(html.escape, case.ventilated))
-    of_hours = list(_climate_rows(case, climate)) if case.follows_the_wind else []
-    text = _table(head, rows + of_hours)
-    text += ("<p>Of the building: the air that comes in from outside over the volume of all rooms that openings join. Of a room: all the "
-             "air that comes in, also from other rooms.</p>")
-    if of_hours:
-        text += ("<p>Over the climate's hours air changes are taken in proportion to the wind: calm hours, in which warmth alone moves "
-                 "the air, count as almost none.</p>")
-    elif climate and not case.follows_the_wind:
-        text += ("<p>With warm air, fans or screens with a linear part, air changes are not in proportion to the wind, so there is no "
-                 "mean over the climate's hours.</p>")
-    return text
-
-
-def _room_rows(case, run, fields):
-    for room in case.volumes:
-        joining = [o for o in run.openings if room in o.rooms and o.rooms[0] != o.rooms[1]]
-        fresh = results.inflow(room, [o for o in joining if OUTSIDE in o.rooms])
-        changes = run.air_changes(room) if joining else None
-        from_outside = fresh.last() if fresh else 0.0 if joining else None
-        row = [html.escape(room), f"{case.volumes[room]:.4g}", _number(run.inflow(room)), _number(from_outside),
-               _number(changes.last() if changes else None)]
-        if case.described.get("age_of_air"):
-            age = fields.mean(room, "age") if fields else None
-            row.append(_number(None if age is None else age / 60.0))
-        if run.warmth:
-            mean = run.warmth.rooms.get(room)
-            row += [_number(mean.last() if mean else None, 4)]
-        for scalar in case.scalars:
-            row += _concentration(run, scalar, fields.mean(room, scalar) if fields else None)[:2 if case.is_room else 1]
-        yield [*row, ", ".join(html.escape(o.name) for o in joining)]
-
-
-def _concentration(run, scalar, mean):
-    """A mean concentration, and how effective the ventilation is for it."""
-    return [_number(mean, 4), _number(run.effectiveness(scalar, mean))]
-
-
-def _rooms_of(case, run, fields):
-    head = ["room", "volume, m³", "air in, m³/s", "of it from outside", "air changes per hour"]
-    head += ["mean age of air, min"] if case.described.get("age_of_air") else []
-    head += ["mean temperature, °C"] if run.warmth else []
-    head += [title for scalar in case.scalars for title in (f"mean {scalar}", f"effectiveness for {scalar}")[:2 if case.is_room else 1]]
-    text = _table([*head, "openings"], _room_rows(case, run, fields), "words")
-    head = ["opening", "area, m²", "most air goes", "this way, m³/s", "back, m³/s", "mean speed through it, m/s"]
-    head += ["heat carried this way, W"] if run.warmth else []
-    text += _table(head, [_opening_row(opening, run.warmth) for opening in run.openings])
-    return text + _screens_of(case, run, fields)
-
-
-def _screens_of(case, run, fields):
-    """How the pressure changes at screens and fans, and how it should."""
-    rows = [[html.escape(name), html.escape(words), *(_number(value) for value in values)]
-            for name, words, *values in screens.rows(case.screens, run.openings, fields)]
-    if not rows:
-        return ""
-    head = ("screen or fan", "", "air through it, m³/s", "mean speed, m/s", "pressure rises by, Pa", "by its rule, Pa")
-    return _table(head, rows) + (
-        "<p>The pressure rises along the flow at fans, and falls at screens. <i>By its rule</i> takes the mean speed; what "
-        "passes unevenly loses more.</p>")
-
-
-def _opening_row(opening, warmth):
-    ways = [(opening.forward(), opening.rooms), (opening.backward(), opening.rooms[::-1])]
-    (most, rooms_), (least, _) = sorted(ways, key=lambda way: -way[0])
-    speed = opening.both.last() / opening.area if opening.area > 0 else None
-    way = html.escape(f"{rooms_[0]} → {rooms_[1]}")
-    row = [html.escape(opening.name), f"{opening.area:.3g}", way, _number(most), _number(least), _number(speed)]
-    if warmth:
-        heat = warmth.openings.get(opening.name)
-        row.append(_watts(heat.last() * (1.0 if rooms_ == opening.rooms else -1.0) if heat else None, warmth.heat_in()))
-    return row
-
-
-def _passage_rows(run):
-    for name, flow in run.flows.items():
-        area = run.areas.get(name, 0.0)
-        net = flow.last()
-        yield [html.escape(name), run.roles[name], f"{area:.3g}", _number(max(-net, 0.0)), _number(max(net, 0.0)),
-               _number(abs(net) / area if area > 0 else None),
-               *(_number(run.concentration_at(scalar, name), 4) for scalar in run.case.scalars)]
-
-
-def ventilation(case, fields_of):
-    """What comes into a room and leaves it, and how often the air changes."""
-    run = case.runs[0]
-    text = "<h2>Inlets and outlets</h2>"
-    changes = run.supplied_changes()
-    if changes is None or changes.last() <= 0.0:
-        return text + "<p>No flow through inlets and outlets is measured.</p>"
-    text += _table(("patch", "role", "area, m²", "air in, m³/s", "air out, m³/s", "mean speed through it, m/s", *case.scalars),
-                   _passage_rows(run))
-    facts = [f"{case.mesh['volume']:.4g} m³ of air",
-             f"<b>{changes.last():.3g}</b> air changes per hour, one in {_time(60.0 / changes.last())}"]
-    if case.described.get("age_of_air") and run in fields_of:
-        age = fields_of[run].mean_everywhere("age")
-        facts += [f"its mean age is {_time(age / 60.0)}"] if age is not None else []
-    facts += _facts_of_scalars(case, run, fields_of.get(run))
-    return text + f"<p>{'; '.join(facts)}.</p>"
-
-
-def _facts_of_scalars(case, run, fields):
-    for scalar in case.scalars if fields else ():
-        mean, effectiveness = _concentration(run, scalar, fields.mean_everywhere(scalar))
-        yield f"its mean {scalar} is {mean}, and the ventilation is {effectiveness} times as effective as with mixed air"
-
-
 def _heat_rows(run):
     warmth, whole = run.warmth, run.warmth.heat_in()
-    yield from ((html.escape(name), "given", _number(watts, 4)) for name, watts in warmth.sources.items())
-    yield from ((html.escape(name), f"surface of {warmth.given[name]:g} °C", _watts(heat.last(), whole))
+    yield from ((html.escape(name), "given", number(given, 4)) for name, given in warmth.sources.items())
+    yield from ((html.escape(name), f"surface of {warmth.given[name]:g} °C", watts(heat.last(), whole))
                 for name, heat in warmth.surfaces.items())
-    carried = {name: _watts(-heat.last(), whole) for name, heat in warmth.out.items()}
-    yield from ((html.escape(name), "carried by the air", watts) for name, watts in carried.items() if watts != "0")
+    carried = {name: watts(-heat.last(), whole) for name, heat in warmth.out.items()}
+    yield from ((html.escape(name), "carried by the air", heat) for name, heat in carried.items() if heat != "0")
 
 
 def _heat_of(run):
     warmth, missing = run.warmth, run.warmth.imbalance()
-    text = _table(("from", "", "heat into the air, W"), _heat_rows(run))
+    text = table(("from", "", "heat into the air, W"), _heat_rows(run))
     facts = [f"outdoors {warmth.outdoors:g} °C"]
     if warmth.everywhere:
         facts.append(f"all air of the mesh {warmth.everywhere.last():.4g} °C on average")
     facts += [f"surface of {html.escape(name)} {celsius.last():.4g} °C" for name, celsius in warmth.walls.items()]
     if missing is not None:
-        facts.append(f"<b>{_number(warmth.heat_in(), 4)}</b> W come in and <b>{_number(warmth.heat_out(), 4)}</b> W leave, a difference "
-                     f"of {_percent(missing)}")
+        facts.append(f"<b>{number(warmth.heat_in(), 4)}</b> W come in and <b>{number(warmth.heat_out(), 4)}</b> W leave, a difference "
+                     f"of {percent(missing)}")
     return text + f"<p>{'; '.join(facts)}.</p>"
 
 
@@ -287,27 +119,7 @@ def heat(case):
     ran = [run for run in case.runs if run.warmth and run.ran]
     if not ran:
         return ""
-    return "<h2>Heat</h2>" + "".join(_folded(run.title, _heat_of(run), len(case.runs) > 1) for run in ran)
-
-
-def rooms(case, fields_of, climate):
-    text = ventilation(case, fields_of) if case.is_room else ""
-    if case.is_room and not case.openings:
-        return text
-    return text + _rooms_and_openings(case, fields_of, climate)
-
-
-def _rooms_and_openings(case, fields_of, climate):
-    if not case.openings and not case.volumes:
-        return ("<h2>Rooms and openings</h2><p>The mesh has no openings (face zones) and no rooms (cell zones). "
-                "<code>atria mesh --openings</code> finds them.</p>")
-    text = "<h2>Rooms and openings</h2>"
-    if not any(run.openings for run in case.runs):
-        return text + "<p>No flow through openings is measured: the case has not run.</p>"
-    if case.ventilated:
-        text += _summary(case, climate)
-    several = len(case.runs) > 1
-    return text + "".join(_folded(run.title, _rooms_of(case, run, fields_of.get(run)), several) for run in case.runs)
+    return "<h2>Heat</h2>" + "".join(folded(run.title, _heat_of(run), len(case.runs) > 1) for run in ran)
 
 
 def pictures_of(case, view, ratios, fields_of):
@@ -331,7 +143,7 @@ def pictures_of(case, view, ratios, fields_of):
                                f"of the reference speed, {case.speed:g} m/s at {case.described['reference_height']:g} m")
     text += ["</div>", bar, *_scalar_pictures(case, view, fields_of, above), "<h2>The flow</h2>"]
     several = len(case.runs) > 1
-    return "\n".join(text + [_folded(run.title, _flow(case, run, fields), several) for run, fields in fields_of.items()])
+    return "\n".join(text + [folded(run.title, _flow(case, run, fields), several) for run, fields in fields_of.items()])
 
 
 def _scalar_pictures(case, view, fields_of, above):
@@ -400,11 +212,11 @@ def mesh_and_wind(case):
             ("mean non-orthogonality", f"{mesh['mean_non_orthogonality']:.1f}°"), ("worst skewness", f"{mesh['worst_skewness']:.2f}"),
             ("failed checks of checkMesh", mesh["failed_checks"]), ("turbulence", html.escape(described["turbulence"]))]
     if not case.has_wind:
-        return "<h2>Mesh</h2>" + _table((), rows)
+        return "<h2>Mesh</h2>" + table((), rows)
     rows += [("wind", f"{case.speed:g} m/s at {described['reference_height']:g} m"),
             ("roughness length", f"{described['roughness_length']:g} m"),
             ("friction velocity", f"{described['friction_velocity']:.3g} m/s")]
-    return "<h2>Mesh and wind</h2>" + _table((), rows)
+    return "<h2>Mesh and wind</h2>" + table((), rows)
 
 
 def _profile_rows(profile):
@@ -420,7 +232,7 @@ def _profile_of(run):
     facts = (f"<p>Largest changes below {profile.height_of_interest:.3g} m: of the speed {profile.change_of_speed()}, of the "
              f"turbulence k {profile.change_of_k()}. The buildings begin {profile.fetch:.3g} m behind the inlet.</p>")
     head = ("height, m", "speed at the inlet, m/s", "before the buildings", "k at the inlet, m²/s²", "before the buildings")
-    return facts + _table(head, _profile_rows(profile))
+    return facts + table(head, _profile_rows(profile))
 
 
 def profiles(case):
@@ -430,17 +242,17 @@ def profiles(case):
         return ""
     text = ("<h2>The wind before the buildings</h2><p>In the domain without buildings the wind should stay as it is at the inlet "
             "(Blocken, Stathopoulos and Carmeliet 2007).</p>")
-    return text + "".join(_folded(run.title, _profile_of(run), len(checked) > 1) for run in checked)
+    return text + "".join(folded(run.title, _profile_of(run), len(checked) > 1) for run in checked)
 
 
 def _converged(run):
     rows = [(html.escape(judged.name), f"{judged.history.last():.4g} {judged.unit}", f"{judged.history.spread():.2g}",
-             f"{100 * judged.history.drift() / judged.scale:.2g} %" if judged.scale > 0 else "–", _judgement(judged.verdict))
+             f"{100 * judged.history.drift() / judged.scale:.2g} %" if judged.scale > 0 else "–", judgement(judged.verdict))
             for judged in run.judged()]
-    text = _table(("quantity", "mean of the last fifth", "deviation", "drift", ""), rows)
-    residuals = [(html.escape(field), f"{history.last():.2g}", _judgement(results.residual_verdict(history)))
+    text = table(("quantity", "mean of the last fifth", "deviation", "drift", ""), rows)
+    residuals = [(html.escape(field), f"{history.last():.2g}", judgement(results.residual_verdict(history)))
                  for field, history in run.log.residuals.items()]
-    text += _table(("initial residual of", "mean of the last fifth", ""), residuals)
+    text += table(("initial residual of", "mean of the last fifth", ""), residuals)
     lines = [(name, history.times, history.values) for name, history in run.log.residuals.items()]
     drawn = [(j.name, j.history.times, j.history.values / j.scale) for j in run.judged()[:MOST_LINES] if j.scale > 0]
     last = max((h.times[-1] for h in run.log.residuals.values()), default=0.0)
@@ -448,7 +260,7 @@ def _converged(run):
     unit, length = ("seconds", f"{last:g} s") if is_transient else ("iteration", f"{int(last)} iterations")
     facts = f"<p>{length}" + (f", {run.log.seconds:,.0f} s of processor time" if run.log.seconds else "")
     if (missing := run.imbalance()) is not None:
-        facts += f"; flows into the domain and out of it differ by {_percent(missing)}"
+        facts += f"; flows into the domain and out of it differ by {percent(missing)}"
     drawings = (charts.line_chart("Initial residuals", lines, logarithmic=True, along=unit),
                 charts.line_chart("Quantities, relative to their scale", drawn, along=unit))
     return facts + ".</p>" + '<div class="row">' + "".join(f'<div class="wide">{chart}</div>' for chart in drawings) + "</div>" + text
@@ -460,7 +272,7 @@ def convergence(case):
             f"up to {results.LOW_RESIDUAL:g} and high above {results.HIGH_RESIDUAL:g}; those of flows that are not steady level off, "
             "and the quantities count.</p>")
     several = len(case.runs) > 1
-    return text + "".join(_folded(run.title, _converged(run), several) for run in case.runs if run.ran)
+    return text + "".join(folded(run.title, _converged(run), several) for run in case.runs if run.ran)
 
 
 def _sampled(case):
