@@ -24,6 +24,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from atria import Error
 from atria.report import Case, charts, comfort, page_of, read_climate, results, yearly
+from atria.report.writing import percent
 from atria.report.__main__ import noted
 from atria.report.pictures import ends_within, levels
 from box_mesh import BOX, header, write_box
@@ -219,6 +220,11 @@ class Results(Folder):
 
     def test_what_is_missing_between_flows(self):
         self.assertAlmostEqual(results.imbalance([-4.0, 1.0, 2.0]), 0.25)
+
+    def test_percentages_have_no_exponents(self):
+        for share, wanted in ((-0.996, "-100 %"), (12.34, "1234 %"), (0.0244, "2.4 %"), (9.9e-5, "less than 0.01 %"), (1e-4, "0.01 %"),
+                              (math.inf, "∞ %")):
+            self.assertEqual(percent(share), wanted)
 
     def test_long_names_beside_a_chart_still_differ(self):
         names = [f"flow through {wall}_opening_{number}" for wall in ("WallSouth", "WallOfTheOldHouseToTheSouth") for number in (1, 2)]

@@ -14,7 +14,10 @@ import sys
 import tempfile
 import unittest
 
+import numpy
 from atria.report import Case
+from atria.report.results import History
+from atria.report.scalars import Age, Scalar
 from box_mesh import header, write_box
 from decomposed import MPI
 from test_dialects import dictionaries, differences
@@ -278,6 +281,95 @@ class Room(unittest.TestCase):
         self.assertEqual(run.mixed_concentration("dust", False), 0.0)
         self.assertGreater(run.effectiveness("CO2", run.fields.mean_everywhere("CO2")), 0.5)
         self.assertIn("effectiveness for dust", (folder / "report.html").read_text())
+
+    def scalar(self, leaving, incoming=(), mean=None, sources=5e-6):
+        """Made results of a room: 0.01 m3/s with the given concentration come in, and `leaving` goes out, units/s."""
+        time = numpy.arange(1.0, 101.0)
+        columns = {"flow_CO2_Inlet/0/surfaceFieldValue.dat": numpy.full(100, -0.01 * dict(incoming).get("Inlet", 0.0)),
+                   "flow_CO2_Outlet/0/surfaceFieldValue.dat": leaving * numpy.ones(100)}
+        if mean is not None:
+            columns["meanCO2_hall/0/volFieldValue.dat"] = mean * numpy.ones(100)
+        for name, values in columns.items():
+            file = self.folder / "postProcessing" / name
+            file.parent.mkdir(parents=True, exist_ok=True)
+            numpy.savetxt(file, numpy.transpose([time, values]))
+        flows = {name: History(time, numpy.full(100, flow)) for name, flow in (("Inlet", -0.01), ("Outlet", 0.01))}
+        described = {"name": "CO2", "sources": {"hall": sources}, "incoming": dict(incoming)}
+        return Scalar(self.folder, described, flows, {"Inlet": "inlet", "Outlet": "outlet"}, ["hall"])
+
+    def test_scalars_that_have_not_settled_are_doubted(self):
+        """By what leaves and its change, by means that change, and by a room with less than comes in."""
+        grows = 1.0 - numpy.exp(-numpy.arange(1.0, 101.0) / 40.0)
+        fresh = {"Inlet": 4e-4}
+        self.assertEqual(self.scalar(5e-6).reasons({"hall": 6e-4}), [])
+        self.assertEqual(self.scalar(9e-6, fresh, mean=9e-4).reasons({"hall": 9e-4}), [])
+        found = "\n".join(self.scalar(5e-6 * grows, mean=5e-4 * grows).reasons({"hall": 4e-4}))
+        for text in ("what leaves changes by 6.", "% of what sources give", "4.474e-06 units/s leave beyond what comes in, and sources give 5e-06",
+                     "the mean in hall, 0.0004474 units/m³, changes by 7"):
+            self.assertIn(text, found)
+        self.assertEqual(self.scalar(9e-6, fresh, mean=9e-4).reasons({"hall": 3e-4, "other": 5e-4}),
+                         ["the mean in hall, 0.0003 units/m³, is below the 0.0004 of the air that comes in"])
+        self.assertEqual(self.scalar(3e-6, fresh, mean=9e-4, sources=-1e-6).reasons({"hall": 3e-4}), [])
+
+    def test_an_age_that_has_not_settled_is_doubted(self):
+        time = numpy.arange(1.0, 101.0)
+        falling, level, low = (History(time, values) for values in (10.0 ** (-time / 40.0), numpy.full(100, 3e-3), numpy.full(100, 9e-5)))
+        reasons = lambda residual, *of: Age(self.folder, ["hall"], residual).reasons({"hall": 50.0}, *of)
+        self.assertEqual([reasons(residual, None, 0.0) for residual in (level, low, None)], [[], [], []])
+        self.assertRegex(reasons(falling, None, 0.0)[0], r"residual still falls, 0\.0058 in the last fifth and 0\.018 in")
+        self.assertEqual(reasons(falling, 0.97, 0.0), [])
+        self.assertEqual(reasons(level, 0.9, 0.0), ["the air that leaves has 90 % of the age that it must have"])
+        (self.folder / "0").mkdir()
+        for start, wanted in (("uniform 0;", 1), ("nonuniform List<scalar> 1(3);", 0)):
+            (self.folder / "0/age").write_text(f"internalField   {start}\n")
+            self.assertEqual(len(reasons(falling, None, 100.0)), wanted)
+            self.assertEqual(reasons(falling, None, 500.0), [])
+        file = self.folder / "postProcessing/meanage_hall/0/volFieldValue.dat"
+        file.parent.mkdir(parents=True)
+        numpy.savetxt(file, numpy.transpose([time, time]))
+        self.assertEqual(reasons(low, 1.0, 0.0), ["the mean in hall, 90.5 s, changes by 22 %"])
+
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_what_the_air_carries_after_a_few_iterations_is_doubted(self):
+        room = self.folder / "zoned"
+        write_box(room, COUNTS, BOUNDS, zone_at=4, patch_of=openings(**SEVERAL))
+        folder = self.case(room, "--inlet-speed", "0.5", "--iterations", "15", "--age-of-air", "--scalar", "CO2", "hall", "5e-6/s")
+        self.run_case(folder)
+        said = self.report(folder)
+        page = (folder / "report.html").read_text()
+        doubts = page[page.index("What to doubt"):]
+        for text in ("CO2 has not settled: ", "the age of air has not settled: the air that leaves has "):
+            self.assertIn(f"atria: warning: room: {text}", said)
+            self.assertIn(text, doubts)
+        self.assertIn("Run more iterations, and do not use its values before", said)
+        self.assertIn("Means of CO2 and the age of air are those of the last iteration, 15; the case does not measure them before.", page)
+
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_an_inlet_blows_into_its_room(self):
+        """The hall gets all its air through a patch, and gives it to the space beside it through its opening."""
+        room = self.folder / "zoned"
+        write_box(room, COUNTS, BOUNDS, zone_at=4)
+        folder = self.case(room, "--kind", "room", "--patch", "xMin", "inlet:0.5m/s", "--patch", "xMax", "outlet", "--iterations", "60",
+                           "--scalar", "CO2", "xMin", "4e-4")
+        self.run_case(folder)
+        self.report(folder)
+        case = Case(folder)
+        run, volume = case.runs[0], case.volumes["hall"]
+        self.assertAlmostEqual(run.inflow("hall"), 6.0, delta=1e-6)
+        self.assertAlmostEqual(run.fresh("hall"), 6.0, delta=0.1)
+        self.assertAlmostEqual(run.air_changes("hall").last(), 6.0 * 3600.0 / volume, delta=1e-3)
+        self.assertAlmostEqual(run.all_air_changes().last(), 6.0 * 3600.0 / volume, delta=1e-3)
+        self.assertEqual(list(run.unbalanced()), [])
+        self.assertEqual(list(run.passages["hall"]), ["xMin"])
+        self.assertIsNone(run.effectiveness("CO2", 4e-4))
+
+    def test_an_effectiveness_of_nothing_is_none(self):
+        folder = self.case(self.box(SEVERAL), "--scalar", "CO2", "Walls", "5e-6/s")
+        run = Case(folder).runs[0]
+        run.mixed_concentration = lambda scalar, outwards: 5e-4 if outwards else 0.0
+        self.assertAlmostEqual(run.effectiveness("CO2", 2.5e-4), 2.0)
+        for concentration in (2.8e-19, 0.0, -1e-4):
+            self.assertIsNone(run.effectiveness("CO2", concentration))
 
     def hedge(self, columns=range(30, 50)):
         """A duct of 40 m with a hedge across, 15 m to 25 m from its inlet, or in the given columns of half a meter."""

@@ -221,6 +221,21 @@ class WarmAir(unittest.TestCase):
         self.assertIn("atria case --transient 600", said)
         self.assertEqual(Warmth(self.folder, described | {"duration": 60}, {}, [], {}).doubts(high, {"Door": swinging}), [])
 
+    def test_temperatures_beyond_boussinesq_are_doubted(self):
+        described = {"outdoor_temperature": 20, "duration": 0, "heat_capacity": 1210, "diffusivities": [2e-5, 1.2], "zones": {"hall": 100},
+                     "surfaces": {"Roof": 50}, "temperatures": {}}
+        places = {"hall": "meanT_hall/0/volFieldValue.dat", "cellar": "meanT_cellar/0/volFieldValue.dat",
+                  "Roof": "temperature_Roof/0/surfaceFieldValue.dat"}
+        for name, celsius, wanted in (("hall", 50.2, "hall with 50.2 °C"), ("cellar", -10.5, "cellar with -10.5 °C"), ("hall", 49.9, None),
+                                      ("Roof", 61.0, "the surface Roof with 61 °C")):
+            for place, file in places.items():
+                path = self.folder / "postProcessing" / file
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text("".join(f"{i} {celsius if place == name else 25}\n" for i in range(1, 101)))
+            found = Warmth(self.folder, described, {}, [], ["hall", "cellar"]).beyond_boussinesq()
+            self.assertEqual(len(found), bool(wanted))
+            self.assertTrue(not wanted or f"{wanted}, and 20 °C outdoors" in found[0], found)
+
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_what_did_not_converge_is_told(self):
         folder = self.case(self.room, *CALM, "--heat", "hall", "200W", "--iterations", "10")
@@ -231,14 +246,31 @@ class WarmAir(unittest.TestCase):
 
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_a_transient_run_warms_the_room(self):
-        folder = self.case(self.room, *CALM, "--heat", "hall", "1000W", "--transient", "20")
+        folder = self.case(self.room, *CALM, "--heat", "hall", "1000W", "--transient", "20", "--age-of-air", "--scalar", "CO2", "hall",
+                           "5e-6/s")
         self.run_case(folder)
-        self.assertRegex(self.report(folder), "the air still warms up")
+        self.assertRegex(self.report(folder), "the air still warms up.*Compute a longer time, with a longer --transient")
         run = Case(folder).runs[0]
         self.assertEqual(run.warmth.everywhere.times[-1], 20.0)
         warmest = 20.0 + 1000.0 * 20.0 / (60.0 * self.described(folder)["warm_air"]["heat_capacity"])
         self.assertAlmostEqual(run.warmth.everywhere.values[-1], warmest, delta=0.2 * (warmest - 20.0))
-        self.assertIn("<p>20 s, ", (folder / "report.html").read_text())
+        page = (folder / "report.html").read_text()
+        for text in ("<p>20 s, ", "CO2 has not settled", "the age of air has not settled", "Means of CO2 and the age of air are those of the "
+                     "last time, 20 s"):
+            self.assertIn(text, page)
+        self.assertNotIn("more iterations", page)
+        self.assertNotRegex(page, r"e[+-]\d\d %")
+        self.means_of_the_last_fifth(folder)
+
+    def means_of_the_last_fifth(self, folder):
+        """Where a case measures means of what the air carries."""
+        for name in ("CO2", "age"):
+            file = folder / f"postProcessing/mean{name}_hall/0/volFieldValue.dat"
+            file.parent.mkdir(parents=True)
+            file.write_text("".join(f"{i} {i}\n" for i in range(1, 102)))
+            run = Case(folder).runs[0]
+            self.assertEqual(run.mean_of("hall", name), 91.0)
+            self.assertNotIn(name, run.of_last_time())
 
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_air_beside_a_slanting_sheet_stays_calm(self):

@@ -75,7 +75,7 @@ def main(given=None) -> int:
     for run in case.runs:
         for doubt in run.profile.doubts() if run.profile else []:
             print(f"atria: warning: {run.title}: {doubt}", file=sys.stderr)
-        for doubt in run.doubts_of_warmth():
+        for doubt in run.warnings():
             print(f"atria: warning: {run.title}: {doubt}", file=sys.stderr)
     for error in errors:
         print(f"atria: error: {target} lacks a part: {error}", file=sys.stderr)

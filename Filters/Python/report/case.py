@@ -16,8 +16,10 @@ from . import results, speeds
 from .fields import Fields
 from .profile import Profile
 from .results import History
+from .scalars import Age, Scalar, doubt
 from .screens import screens_of
 from .warmth import Warmth
+from .writing import percent
 
 OUTSIDE = "outside"
 # As OpenFOAM's atmospheric conditions have it.
@@ -30,6 +32,8 @@ _NOTHING = 1e-6
 # Plumes are this much faster close to their sources than the speed that a case says for the heat in all its height: a plume's
 # speed goes with the cube root of the height, and its middle has some five times the scale.
 PLUME = 10.0
+# A room has nothing of a scalar below this share of what the exhaust has.
+_HARDLY_ANY = 1e-3
 # Where no place of a probe is, OpenFOAM writes a number larger than this.
 _NOWHERE = 1e100
 
@@ -83,34 +87,60 @@ class Run:
         sides = [patch for patch, role in self.roles.items() if role in ("inlet", "outlet", "inletOutlet")]
         flows = {patch: results.read_flow(self.folder, "flow_" + patch) for patch in sides}
         self.flows = {patch: flow for patch, flow in flows.items() if flow is not None}
-        self.carried = {scalar: self._read_carried(scalar) for scalar in case.scalars}
+        self.scalars = {entry["name"]: Scalar(self.folder, entry, self.flows, self.roles, case.volumes)
+                        for entry in case.described.get("scalars", [])}
+        residual = self.log.residuals.get("age") if self.log else None
+        self.age = Age(self.folder, case.volumes, residual) if case.described.get("age_of_air") else None
         self.openings = results.read_openings(self.folder, case.openings)
         warm = case.described.get("warm_air")
         self.warmth = Warmth(self.folder, warm, self.flows, [o.name for o in self.openings], case.volumes) if warm else None
         self.forces = results.read_columns(self.folder / "postProcessing" / "forces", "force.dat", 3)
         self.y_plus = results.read_y_plus(self.folder / "postProcessing" / "yPlus")
 
-    def _read_carried(self, scalar):
-        carried = {patch: results.read_flow(self.folder, f"flow_{scalar}_{patch}") for patch in self.flows}
-        return {patch: flow for patch, flow in carried.items() if flow is not None}
+    @property
+    def is_transient(self):
+        return bool(self.warmth) and self.warmth.duration > 0
+
+    def mean_of(self, room, array):
+        """A scalar's or the age's mean in a room, or in all air for "": over the last fifth where the case measures it, else of the
+        last time; None where not known."""
+        measured = self._measured(array).get(room)
+        if measured or not self.ran:
+            return measured.last() if measured else None
+        name = self.fields.averaged(array)
+        return self.fields.mean(room, name) if room else self.fields.mean_everywhere(name)
+
+    def _measured(self, array):
+        return self.scalars[array].means if array in self.scalars else self.age.means if self.age else {}
+
+    def of_last_time(self):
+        """Scalars, and the age, whose means are of the last time only."""
+        arrays = [*self.scalars, *(["age"] if self.age else [])] if self.ran else []
+        return [array for array in arrays if not self._measured(array) and self.fields.averaged(array) == array]
 
     def concentration_at(self, scalar, patch):
         """Of the air that passes a patch, by what it carries; None where not measured, or where no air passes."""
-        carried, flow = self.carried[scalar].get(patch), self.flows[patch].last()
+        carried, flow = self.scalars[scalar].through.get(patch), self.flows[patch].last()
         return carried.last() / flow + 0.0 if carried and flow else None  # no -0
 
     def mixed_concentration(self, scalar, outwards):
         """Of all air that leaves the domain, or of all that comes in."""
-        patches = [patch for patch in self.carried[scalar] if (self.flows[patch].last() > 0.0) == outwards]
+        through = self.scalars[scalar].through
+        patches = [patch for patch in through if (self.flows[patch].last() > 0.0) == outwards]
         whole = sum(self.flows[patch].last() for patch in patches)
-        return sum(self.carried[scalar][patch].last() for patch in patches) / whole if whole else None
+        return sum(through[patch].last() for patch in patches) / whole if whole else None
 
     def effectiveness(self, scalar, concentration):
-        """Of a room's ventilation, where the air has a concentration: (exhaust - supply) / (room - supply). 1 is mixed air."""
+        """Of a room's ventilation, where the air has a concentration: (exhaust - supply) / (room - supply). 1 is mixed air.
+
+        None where it means nothing: hardly any of the scalar is in the room.
+        """
         if not self.case.is_room:
             return None
         exhaust, supply = (self.mixed_concentration(scalar, outwards) for outwards in (True, False))
-        if None in (exhaust, supply, concentration) or concentration == supply:
+        if None in (exhaust, supply, concentration):
+            return None
+        if (concentration - supply) * (exhaust - supply) <= _HARDLY_ANY * (exhaust - supply) ** 2:
             return None
         return (exhaust - supply) / (concentration - supply)
 
@@ -144,19 +174,46 @@ class Run:
     def patches_of(self, *roles):
         return [name for name, role in self.roles.items() if role in roles]
 
+    @functools.cached_property
+    def passages(self):
+        """Of each room that openings join, what inlets and outlets let out of it, m3/s, as History by patch. A patch of several
+        rooms is divided by its area. Domains of wind have none in rooms."""
+        if not (self.case.is_room and self.ran):
+            return {}
+        shares = {room: {patch: self.fields.share_in(room, patch) for patch in self.flows} for room in self.case.ventilated}
+        return {room: {patch: self.flows[patch].times_factor(share) for patch, share in of_room.items() if share > 0.0}
+                for room, of_room in shares.items()}
+
+    def _supplied_to(self, room):
+        return [results.inwards(flow) for flow in self.passages.get(room, {}).values()]
+
+    def _with_passages(self, room, through_openings):
+        parts = [through_openings] if through_openings else []
+        return results.summed(parts + self._supplied_to(room))
+
+    def into(self, room):
+        """Air that comes into a room, m3/s, as a History; None where nothing is measured."""
+        return self._with_passages(room, results.inflow(room, self.openings))
+
     def inflow(self, room):
         """Air that comes into a room, m3/s; None where nothing is measured."""
-        into = results.inflow(room, self.openings)
+        into = self.into(room)
+        return into.last() if into else None
+
+    def fresh(self, room):
+        """What of it comes straight from outside, m3/s; None where no such way is measured."""
+        into = self._with_passages(room, results.inflow(room, [o for o in self.openings if OUTSIDE in o.rooms]))
         return into.last() if into else None
 
     def air_changes(self, room):
         """Of one room, per hour, as a History."""
-        into = results.inflow(room, self.openings)
+        into = self.into(room)
         return into.times_factor(3600.0 / self.case.volumes[room]) if into else None
 
     def all_air_changes(self):
         """Of all rooms that openings join, taken as one: with the air from outside alone."""
-        into = results.inflow_from(OUTSIDE, self.openings)
+        supplied = [part for room in self.case.ventilated for part in self._supplied_to(room)]
+        into = results.summed(part for part in (results.inflow_from(OUTSIDE, self.openings), *supplied) if part)
         volume = sum(self.case.volumes[room] for room in self.case.ventilated)
         return into.times_factor(3600.0 / volume) if into and volume > 0 else None
 
@@ -171,9 +228,10 @@ class Run:
         return supplied.times_factor(3600.0 / volume) if supplied and volume > 0 else None
 
     def unbalanced(self):
-        """Rooms that do not lose as much air through their openings as they get: (room, share that is missing)."""
-        for room in () if self.case.is_room else self.case.ventilated:  # inlets are no openings
-            into, net = results.inflow(room, self.openings), results.net_inflow(room, self.openings)
+        """Rooms that do not lose as much air as they get: (room, share that is missing)."""
+        for room in self.case.ventilated:
+            leaving = [flow.times_factor(-1.0) for flow in self.passages.get(room, {}).values()]
+            into, net = self.into(room), results.summed(part for part in (results.net_inflow(room, self.openings), *leaving) if part)
             passing = max(into.last(), into.last() - net.last()) if into else 0.0
             if passing > 0 and abs(net.last()) / passing > results.NEARLY:
                 yield room, abs(net.last()) / passing
@@ -207,6 +265,7 @@ class Run:
         rows += [Judged(f"force along {axis}", force, size, "N") for axis, force in zip("xyz", self.forces)]
         if self.warmth:
             rows += self._judged_warmth()
+        rows += self._judged_scalars()
         if (speed := self.speed()) is not None:
             rows.append(Judged("speed at pedestrian height", speed, speed.last(), "m/s"))
         return rows
@@ -218,6 +277,42 @@ class Run:
         yield from (Judged(f"temperature of {room}", mean, rise, "°C") for room, mean in warmth.rooms.items())
         if (out := results.summed(warmth.out.values())) is not None:
             yield Judged("heat out of the domain", out, max(abs(out.last()), abs(warmth.heat_in())), "W")
+
+    def _judged_scalars(self):
+        for name, scalar in self.scalars.items():
+            if (excess := scalar.excess()) is not None:
+                yield Judged(f"{name} out of the domain", excess, scalar.scale(), "units/s")
+            yield from (Judged(f"{name} in {room or 'all air'}", mean, abs(mean.last()), "units/m³")
+                        for room, mean in scalar.means.items())
+        if self.age:
+            yield from (Judged(f"age of air in {room or 'all air'}", mean, mean.last(), "s") for room, mean in self.age.means.items())
+
+    def warnings(self):
+        """What to warn of besides failures, in words."""
+        if not self.ran:
+            return []
+        return self.doubts_of_warmth() + (self.warmth.beyond_boussinesq() if self.warmth else []) + list(self._doubts_of_scalars())
+
+    def _doubts_of_scalars(self):
+        for name, scalar in self.scalars.items():
+            if reasons := scalar.reasons({room: self.mean_of(room, name) for room in self.case.volumes}):
+                yield doubt(name, reasons, self.is_transient)
+        if self.age:
+            ages = {room: self.mean_of(room, "age") for room in self.case.volumes}
+            if reasons := self.age.reasons(ages, self._age_that_leaves(), self.warmth.duration if self.warmth else 0.0):
+                yield doubt("the age of air", reasons, self.is_transient)
+
+    def _age_that_leaves(self):
+        """As a share of what it must be: all air of the domain gains a second each second. None where outdoors it is held at 0, or
+        air passes a patch both ways."""
+        volume = self.case.mesh.get("volume", 0.0)
+        if OUTSIDE in self.fields.cell_zones or not volume > 0.0 or not self.flows:
+            return None
+        means = {patch: self.fields.mean_through(patch, "age") for patch in self.flows}
+        if None in means.values():
+            return None
+        # Flows are the solver's, from which those of velocities at a patch differ by some percent.
+        return sum(flow.last() * means[patch] for patch, flow in self.flows.items()) / volume
 
     def doubts_of_warmth(self):
         """What not to believe of a run with warm air, in words."""
@@ -265,15 +360,16 @@ class Run:
         if not self.ran:
             return []
         found = [] if self.log.ended else [f"the run did not end: see {self.log.file}"]
-        found += self.doubts_of_warmth()
+        found += self.warnings()
         unsettled = [judged.name for judged in self.judged() if judged.verdict == results.UNSETTLED]
         if unsettled:
-            found.append(f"not settled: {', '.join(unsettled)}. Run more iterations; if they go on to swing, the flow is not "
-                         "steady, and the means of the last fifth are what there is")
+            unsteady = "" if self.is_transient else "the flow is not steady, and "
+            found.append(f"not settled: {', '.join(unsettled)}. {results.longer(self.is_transient)}; if they go on to swing, {unsteady}"
+                         "the means of the last fifth are what there is")
         missing = self.imbalance()
         if missing is not None and missing > results.SETTLED:
-            found.append(f"flows into the domain and out of it differ by {100 * missing:.2g} %")
-        found += [f"{room}: the air that enters and leaves through its openings differs by {100 * share:.2g} %. The run has not "
+            found.append(f"flows into the domain and out of it differ by {percent(missing)}")
+        found += [f"{room}: the air that enters and leaves through its openings differs by {percent(share)}. The run has not "
                   "settled, or air passes where no opening is known" for room, share in self.unbalanced()]
         return found
 

@@ -10,16 +10,50 @@ import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellLocator, vtkCellLocatorStrategy, vtkPlane, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkCutter, vtkProbeFilter
+from vtkmodules.vtkFiltersCore import (
+    vtkAppendPolyData, vtkCellCenters, vtkCleanPolyData, vtkCutter, vtkPolyDataNormals, vtkProbeFilter,
+)
 from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 from vtkmodules.vtkIOGeometry import vtkOpenFOAMReader
 
 from ..errors import Error, raising
 
+# Air passes a patch one way if this share of all that passes does so on balance.
+_ONE_WAY = 0.99
+# How far behind a face a place in its cell is taken, in its size; the cells of layers are thin.
+_BEHIND_A_FACE = 1e-3
+
 
 def _blocks_of(group):
     """Name and data of each block within one."""
     return {group.GetMetaData(i).Get(group.NAME()): group.GetBlock(i) for i in range(group.GetNumberOfBlocks())}
+
+
+def faces_of(patch):
+    """Of a patch's faces: centers, normals out of the domain and areas."""
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(patch)
+    normals.ComputePointNormalsOff()
+    normals.ComputeCellNormalsOn()
+    normals.SplittingOff()
+    normals.ConsistencyOff()
+    sizes = vtkCellSizeFilter()
+    sizes.SetInputConnection(normals.GetOutputPort())
+    sizes.ComputeAreaOn()
+    centers = vtkCellCenters()
+    centers.SetInputConnection(sizes.GetOutputPort())
+    centers.Update()
+    found = centers.GetOutput()
+    data = found.GetPointData()
+    return (vtk_to_numpy(found.GetPoints().GetData()).astype(float), vtk_to_numpy(data.GetArray("Normals")).astype(float),
+            vtk_to_numpy(data.GetArray("Area")).astype(float))
+
+
+def through(patch):
+    """Of a patch's faces: velocity, what of it leaves the domain, and areas."""
+    _, normals, areas = faces_of(patch)
+    velocity = vtk_to_numpy(patch.GetCellData().GetArray("U"))
+    return velocity, numpy.einsum("ij,ij->i", velocity, normals), areas
 
 
 def _without_unused_points(zone):
@@ -74,7 +108,12 @@ class Fields:
     @property
     def velocity(self):
         """The name of the mean over the last iterations, or of the last velocity where there is none."""
-        return "UMean" if self.mesh.GetCellData().HasArray("UMean") else "U"
+        return self.averaged("U")
+
+    def averaged(self, array):
+        """The name of an array's mean over the last iterations, or of the array itself where there is none."""
+        mean = array + "Mean"
+        return mean if self.mesh.GetCellData().HasArray(mean) else array
 
     def mean(self, zone, array):
         """Over the air of a cell zone; None where either is not there."""
@@ -97,6 +136,26 @@ class Fields:
     def mean_over_patch(self, patch, array):
         """Over the faces of a patch by their areas; None where either is not there."""
         return self._mean_over(self.patches.get(patch), array, "Area")
+
+    def mean_through(self, patch, array):
+        """An array's mean over the air that passes a patch; None where the air passes it both ways."""
+        faces = self.patches.get(patch)
+        if faces is None or not faces.GetNumberOfCells() or not faces.GetCellData().HasArray(array):
+            return None
+        _, outwards, areas = through(faces)
+        flows = outwards * areas
+        if not abs(flows.sum()) > _ONE_WAY * abs(flows).sum():
+            return None
+        return float(numpy.average(vtk_to_numpy(faces.GetCellData().GetArray(array)), weights=flows))
+
+    def share_in(self, zone, patch):
+        """The share of a patch's area whose cells lie in a cell zone."""
+        faces = self.patches.get(patch)
+        if zone not in self.cell_zones or faces is None or not faces.GetNumberOfCells():
+            return 0.0
+        centers, normals, areas = faces_of(faces)
+        behind = centers - _BEHIND_A_FACE * numpy.sqrt(areas)[:, None] * normals
+        return float(areas[self.inside([zone], behind)].sum() / areas.sum())
 
     def inside(self, zones, places):
         """Whether places lie in cell zones."""

@@ -11,7 +11,7 @@ from ..errors import Error
 from . import charts, comfort, pictures, results
 from .case import MOST_Y_PLUS
 from .rooms import rooms
-from .writing import folded, judgement, number, percent, table, watts
+from .writing import amount, folded, judgement, number, percent, table
 
 _STYLE = """body { font-family: Arial, Helvetica, sans-serif; color: #282828; }
 body { margin: 24px auto; max-width: 1180px; padding: 0 16px; }
@@ -95,9 +95,9 @@ def _doubts_as_list(found):
 def _heat_rows(run):
     warmth, whole = run.warmth, run.warmth.heat_in()
     yield from ((html.escape(name), "given", number(given, 4)) for name, given in warmth.sources.items())
-    yield from ((html.escape(name), f"surface of {warmth.given[name]:g} °C", watts(heat.last(), whole))
+    yield from ((html.escape(name), f"surface of {warmth.given[name]:g} °C", amount(heat.last(), whole))
                 for name, heat in warmth.surfaces.items())
-    carried = {name: watts(-heat.last(), whole) for name, heat in warmth.out.items()}
+    carried = {name: amount(-heat.last(), whole) for name, heat in warmth.out.items()}
     yield from ((html.escape(name), "carried by the air", heat) for name, heat in carried.items() if heat != "0")
 
 
@@ -109,8 +109,8 @@ def _heat_of(run):
         facts.append(f"all air of the mesh {warmth.everywhere.last():.4g} °C on average")
     facts += [f"surface of {html.escape(name)} {celsius.last():.4g} °C" for name, celsius in warmth.walls.items()]
     if missing is not None:
-        facts.append(f"<b>{number(warmth.heat_in(), 4)}</b> W come in and <b>{number(warmth.heat_out(), 4)}</b> W leave, a difference "
-                     f"of {percent(missing)}")
+        facts.append(f"<b>{number(warmth.heat_in(), 4)}</b> W come in and "
+                     f"<b>{amount(warmth.heat_out(), warmth.heat_in())}</b> W leave, a difference of {percent(missing)}")
     return text + f"<p>{'; '.join(facts)}.</p>"
 
 
@@ -247,7 +247,7 @@ def profiles(case):
 
 def _converged(run):
     rows = [(html.escape(judged.name), f"{judged.history.last():.4g} {judged.unit}", f"{judged.history.spread():.2g}",
-             f"{100 * judged.history.drift() / judged.scale:.2g} %" if judged.scale > 0 else "–", judgement(judged.verdict))
+             percent(judged.history.drift() / judged.scale) if judged.scale > 0 else "–", judgement(judged.verdict))
             for judged in run.judged()]
     text = table(("quantity", "mean of the last fifth", "deviation", "drift", ""), rows)
     residuals = [(html.escape(field), f"{history.last():.2g}", judgement(results.residual_verdict(history)))
@@ -256,8 +256,7 @@ def _converged(run):
     lines = [(name, history.times, history.values) for name, history in run.log.residuals.items()]
     drawn = [(j.name, j.history.times, j.history.values / j.scale) for j in run.judged()[:MOST_LINES] if j.scale > 0]
     last = max((h.times[-1] for h in run.log.residuals.values()), default=0.0)
-    is_transient = bool(run.warmth) and run.warmth.duration > 0
-    unit, length = ("seconds", f"{last:g} s") if is_transient else ("iteration", f"{int(last)} iterations")
+    unit, length = ("seconds", f"{last:g} s") if run.is_transient else ("iteration", f"{int(last)} iterations")
     facts = f"<p>{length}" + (f", {run.log.seconds:,.0f} s of processor time" if run.log.seconds else "")
     if (missing := run.imbalance()) is not None:
         facts += f"; flows into the domain and out of it differ by {percent(missing)}"

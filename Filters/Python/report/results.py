@@ -41,14 +41,23 @@ class History:
     def times_factor(self, factor: float) -> History:
         return History(self.times, self.values * factor)
 
+    def before(self) -> float:
+        """Mean over the fifth before the last; infinite where nothing is known of it."""
+        part = self._from(1.0 - 2.0 * _PART) & ~self._from(1.0 - _PART)
+        return float(self.values[part].mean()) if part.any() else float("inf")
+
     def drift(self) -> float:
         """By how much the mean of the last fifth differs from that of the fifth before."""
-        before = self._from(1.0 - 2.0 * _PART) & ~self._from(1.0 - _PART)
-        return abs(self.last() - float(self.values[before].mean())) if before.any() else float("inf")
+        return abs(self.last() - self.before())
 
     def _from(self, part):
         first, last = self.times[0], self.times[-1]
         return self.times >= first + part * (last - first)
+
+
+def longer(is_transient) -> str:
+    """What to do where a run was too short, in words."""
+    return "Compute a longer time, with a longer --transient" if is_transient else "Run more iterations"
 
 
 UNSETTLED = "unsettled"

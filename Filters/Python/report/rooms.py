@@ -5,9 +5,8 @@ from __future__ import annotations
 
 import html
 
-from . import comfort, results, screens, yearly
-from .case import OUTSIDE
-from .writing import duration, folded, number, table, watts
+from . import comfort, screens, yearly
+from .writing import amount, duration, folded, number, table
 
 
 def _climate_rows(case, climate):
@@ -47,23 +46,22 @@ def _summary(case, climate):
     return text
 
 
-def _room_rows(case, run, fields):
+def _room_rows(case, run):
     for room in case.volumes:
-        joining = [o for o in run.openings if room in o.rooms and o.rooms[0] != o.rooms[1]]
-        fresh = results.inflow(room, [o for o in joining if OUTSIDE in o.rooms])
-        changes = run.air_changes(room) if joining else None
-        from_outside = fresh.last() if fresh else 0.0 if joining else None
+        joining = [o.name for o in run.openings if room in o.rooms and o.rooms[0] != o.rooms[1]] + list(run.passages.get(room, {}))
+        changes, fresh = run.air_changes(room), run.fresh(room)
+        from_outside = 0.0 if fresh is None and joining else fresh
         row = [html.escape(room), f"{case.volumes[room]:.4g}", number(run.inflow(room)), number(from_outside),
                number(changes.last() if changes else None)]
-        if case.described.get("age_of_air"):
-            age = fields.mean(room, "age") if fields else None
+        if run.age:
+            age = run.mean_of(room, "age")
             row.append(number(None if age is None else age / 60.0))
         if run.warmth:
             mean = run.warmth.rooms.get(room)
             row += [number(mean.last() if mean else None, 4)]
         for scalar in case.scalars:
-            row += _concentration(run, scalar, fields.mean(room, scalar) if fields else None)[:2 if case.is_room else 1]
-        yield [*row, ", ".join(html.escape(o.name) for o in joining)]
+            row += _concentration(run, scalar, run.mean_of(room, scalar))[:2 if case.is_room else 1]
+        yield [*row, ", ".join(map(html.escape, joining))]
 
 
 def _concentration(run, scalar, mean):
@@ -76,11 +74,11 @@ def _rooms_of(case, run, fields):
     head += ["mean age of air, min"] if case.described.get("age_of_air") else []
     head += ["mean temperature, °C"] if run.warmth else []
     head += [title for scalar in case.scalars for title in (f"mean {scalar}", f"effectiveness for {scalar}")[:2 if case.is_room else 1]]
-    text = table([*head, "openings"], _room_rows(case, run, fields), "words")
+    text = table([*head, "openings"], _room_rows(case, run), "words")
     head = ["opening", "area, m²", "most air goes", "this way, m³/s", "back, m³/s", "mean speed through it, m/s"]
     head += ["heat carried this way, W"] if run.warmth else []
     text += table(head, [_opening_row(opening, run.warmth) for opening in run.openings])
-    return text + _screens_of(case, run, fields)
+    return text + _of_last_time(run) + _screens_of(case, run, fields)
 
 
 def _screens_of(case, run, fields):
@@ -103,7 +101,7 @@ def _opening_row(opening, warmth):
     row = [html.escape(opening.name), f"{opening.area:.3g}", way, number(most), number(least), number(speed)]
     if warmth:
         heat = warmth.openings.get(opening.name)
-        row.append(watts(heat.last() * (1.0 if rooms_ == opening.rooms else -1.0) if heat else None, warmth.heat_in()))
+        row.append(amount(heat.last() * (1.0 if rooms_ == opening.rooms else -1.0) if heat else None, warmth.heat_in()))
     return row
 
 
@@ -116,7 +114,7 @@ def _passage_rows(run):
                *(number(run.concentration_at(scalar, name), 4) for scalar in run.case.scalars)]
 
 
-def ventilation(case, fields_of):
+def ventilation(case):
     """What comes into a room and leaves it, and how often the air changes."""
     run = case.runs[0]
     text = "<h2>Inlets and outlets</h2>"
@@ -127,21 +125,31 @@ def ventilation(case, fields_of):
                    _passage_rows(run))
     facts = [f"{case.mesh['volume']:.4g} m³ of air",
              f"<b>{changes.last():.3g}</b> air changes per hour, one in {duration(60.0 / changes.last())}"]
-    if case.described.get("age_of_air") and run in fields_of:
-        age = fields_of[run].mean_everywhere("age")
-        facts += [f"its mean age is {duration(age / 60.0)}"] if age is not None else []
-    facts += _facts_of_scalars(case, run, fields_of.get(run))
-    return text + f"<p>{'; '.join(facts)}.</p>"
+    if run.age and (age := run.mean_of("", "age")) is not None:
+        facts.append(f"its mean age is {duration(age / 60.0)}")
+    facts += _facts_of_scalars(run)
+    return text + f"<p>{'; '.join(facts)}.</p>" + (_of_last_time(run) if not case.openings else "")
 
 
-def _facts_of_scalars(case, run, fields):
-    for scalar in case.scalars if fields else ():
-        mean, effectiveness = _concentration(run, scalar, fields.mean_everywhere(scalar))
-        yield f"its mean {scalar} is {mean}, and the ventilation is {effectiveness} times as effective as with mixed air"
+def _of_last_time(run):
+    """That means of scalars and the age are of the last time, where no others are known."""
+    names = ["the age of air" if name == "age" else html.escape(name) for name in run.of_last_time()]
+    if not names:
+        return ""
+    last = f"time, {run.fields.time:g} s" if run.is_transient else f"iteration, {run.fields.time:.0f}"
+    return f"<p>Means of {' and '.join(names)} are those of the last {last}; the case does not measure them before.</p>"
+
+
+def _facts_of_scalars(run):
+    for scalar in run.scalars:
+        mean = run.mean_of("", scalar)
+        effectiveness = run.effectiveness(scalar, mean)
+        yield f"its mean {html.escape(scalar)} is {number(mean, 4)}" + (
+            f", and the ventilation is {number(effectiveness)} times as effective as with mixed air" if effectiveness is not None else "")
 
 
 def rooms(case, fields_of, climate):
-    text = ventilation(case, fields_of) if case.is_room else ""
+    text = ventilation(case) if case.is_room else ""
     if case.is_room and not case.openings:
         return text
     return text + _rooms_and_openings(case, fields_of, climate)

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
-from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
+
+from .fields import through
 
 # Times the greatest speed at which air comes in. What speeds air up is pressure: where its coefficient is c, Bernoulli
 # gives sqrt(1 - c) times the speed ahead. At corners of roofs, where suction is the largest, standards for wind loads
@@ -17,29 +17,11 @@ MOST = 3.0
 FIELDS = ("U", "UMean")
 
 
-def _through(patch):
-    """Of a patch's faces: velocity, what of it leaves the domain, and areas."""
-    normals = vtkPolyDataNormals()
-    normals.SetInputData(patch)
-    normals.ComputePointNormalsOff()
-    normals.ComputeCellNormalsOn()
-    normals.SplittingOff()
-    normals.ConsistencyOff()
-    sizes = vtkCellSizeFilter()
-    sizes.SetInputConnection(normals.GetOutputPort())
-    sizes.ComputeAreaOn()
-    sizes.Update()
-    data = sizes.GetOutput().GetCellData()
-    velocity = vtk_to_numpy(data.GetArray("U"))
-    outwards = numpy.einsum("ij,ij->i", velocity, vtk_to_numpy(data.GetNormals()))
-    return velocity, outwards, vtk_to_numpy(data.GetArray("Area"))
-
-
 def driven(patch):
     """The flow through a patch as a vector along its velocity, m/s times square meters."""
     if not patch.GetNumberOfCells() or not patch.GetCellData().HasArray("U"):
         return numpy.zeros(3)
-    velocity, _, areas = _through(patch)
+    velocity, _, areas = through(patch)
     return velocity.T.astype(float) @ areas
 
 
@@ -56,7 +38,7 @@ def driving(fields, roles) -> float:
         role = roles.get(name)
         if role in ("slip", "constraint", None) or not patch.GetNumberOfCells() or not patch.GetCellData().HasArray("U"):
             continue
-        velocity, outwards, areas = _through(patch)
+        velocity, outwards, areas = through(patch)
         if role == "outlet":  # its speeds are of the solution, but not their mean: what comes in goes out
             greatest = max(greatest, float(outwards @ areas / areas.sum()))
         else:
@@ -92,4 +74,4 @@ def impossible(fields, roles, wind, warm=0.0) -> str | None:
     return (f"no wind has this speed: {speed:.3g} m/s at {_place(fields.mesh, cell)}, {MOST * speed / limit:.3g} times the "
             f"{limit / MOST:.3g} m/s at which air comes in (cells with more than {MOST:g} times as much: {count}). Nothing here is "
             "to be believed unless something much narrower than inlets and outlets lies there: look at the mesh at that place, "
-            "and run more iterations if the speed still falls")
+            "and let it run longer if the speed still falls")

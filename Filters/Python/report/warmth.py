@@ -7,12 +7,15 @@ import numpy
 
 from . import results
 from .results import History
+from .writing import amount, number, percent
 
 # A steady run has not converged if residuals of the velocity stay above the first while flows swing by more than the second, or
 # if heat differs by more than the third.
 HIGH_RESIDUAL = 1e-2
 MOST_SWING = 0.05
 MOST_IMBALANCE = 0.05
+# Density is linear in the temperature, which holds up to this difference from outdoors, K: a tenth of the density.
+MOST_DIFFERENCE = 30.0
 
 
 def swing(history: History) -> float:
@@ -103,6 +106,10 @@ class Warmth:
         whole = whole or sum(max(-heat.last(), 0.0) for heat in self.out.values())
         return (out - self.heat_in()) / whole if out is not None and whole > 0 else None
 
+    def _both_ways(self):
+        out, into = self.heat_out(), self.heat_in()
+        return f"{amount(out, into)} W leave, and {number(into, 4)} W come in"
+
     def unconverged(self, residuals, flows):
         """Why a steady run has not converged, in words; empty where it has, and for a transient run.
 
@@ -116,11 +123,24 @@ class Warmth:
         widest = max(swings, key=swings.get, default=None)
         if high > HIGH_RESIDUAL and widest is not None and swings[widest] > MOST_SWING:
             reasons.append(f"residuals of the velocity stay at {high:.2g} and the flow through {widest} swings by "
-                           f"±{100 * swings[widest]:.2g} %")
+                           f"±{percent(swings[widest])}")
         missing = self.imbalance()
         if missing is not None and abs(missing) > MOST_IMBALANCE:
-            reasons.append(f"{self.heat_out():.4g} W leave, and {self.heat_in():.4g} W come in")
+            reasons.append(self._both_ways())
         return reasons
+
+    def beyond_boussinesq(self):
+        """Rooms and surfaces whose air is so warm or cold that density is no longer linear in the temperature, in words."""
+        means = self.rooms | {f"the surface {name}": celsius for name, celsius in self.walls.items()}
+        if not self.rooms and self.everywhere:
+            means["all air"] = self.everywhere
+        far = {name: mean.last() for name, mean in means.items() if abs(mean.last() - self.outdoors) > MOST_DIFFERENCE}
+        if not far:
+            return []
+        listed = ", ".join(f"{name} with {celsius:.4g} °C" for name, celsius in far.items())
+        return [f"temperatures are beyond what the equations hold for: {listed}, and {self.outdoors:g} °C outdoors. Density is taken as "
+                f"linear in the temperature (Boussinesq), which holds for {MOST_DIFFERENCE:g} K, where it differs by a tenth. Flows "
+                "are a rough guess: give less heat or let more air through"]
 
     def doubts(self, residuals, flows):
         """What not to believe, in words."""
@@ -130,6 +150,6 @@ class Warmth:
                          "flow is not steady: make a transient case, such as atria case --transient 600")
         missing = self.imbalance()
         if self.duration > 0 and missing is not None and abs(missing) > MOST_IMBALANCE:
-            found.append(f"{self.heat_out():.4g} W leave, and {self.heat_in():.4g} W come in: the air still warms up or cools down, "
-                         "or its flow varies. Compute a longer time")
+            found.append(f"{self._both_ways()}: the air still warms up or cools down, "
+                         f"or its flow varies. {results.longer(True)}")
         return found

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import html
+import math
 
 _WORD_STYLES = {"settled": "good", "nearly settled": "fair", "unsettled": "bad",
                 "low": "good", "levelled off": "fair", "high": "bad"}
@@ -34,13 +35,19 @@ def number(value, digits=3):
     return "–" if value is None else f"{value:.0f}" if 1e3 <= abs(value) < 1e9 else f"{value:.{digits}g}"
 
 
-def watts(value, whole):
-    """Heat; what is a rounding error of the whole is nothing."""
+def amount(value, whole):
+    """Such as heat; what is a rounding error of the whole is nothing."""
     return number(value if value is None or abs(value) > 1e-5 * abs(whole) else 0.0, 4)
 
 
 def percent(share):
-    return f"{100 * share:.2g} %" if abs(share) >= 1e-4 else "less than 0.01 %"
+    """Of two digits, or whole from 100 % on; without an exponent."""
+    if math.isinf(share):
+        return "∞ %"
+    if abs(share) < 1e-4:
+        return "less than 0.01 %"
+    text = f"{100 * share:.2g}"
+    return f"{100 * share:.0f} %" if "e" in text else f"{text} %"
 
 
 def duration(minutes):
