@@ -5,7 +5,7 @@ set(atria_python_sources "${CMAKE_CURRENT_LIST_DIR}/Python")
 set(atria_python_files __init__.py drawing.py errors.py meshing.py picture.py py.typed vtk_check.py
   report/__init__.py report/__main__.py report/case.py report/charts.py report/comfort.py report/fields.py report/page.py
   report/pictures.py report/profile.py report/results.py report/rooms.py report/scalars.py report/scene.py report/screens.py
-  report/speeds.py report/warmth.py report/writing.py report/yearly.py)
+  report/speeds.py report/stack.py report/warmth.py report/writing.py report/yearly.py)
 
 macro (atria_wrap_python)
   vtk_module_wrap_python(

@@ -23,7 +23,7 @@ import cavity  # noqa: E402
 import make_room  # noqa: E402
 import study  # noqa: E402
 import numpy  # noqa: E402
-from atria.report import Case  # noqa: E402
+from atria.report import Case, stack  # noqa: E402
 from atria.report.results import History  # noqa: E402
 from atria.report.warmth import Warmth  # noqa: E402
 from box_mesh import write_box  # noqa: E402
@@ -235,6 +235,39 @@ class WarmAir(unittest.TestCase):
             found = Warmth(self.folder, described, {}, [], ["hall", "cellar"]).beyond_boussinesq()
             self.assertEqual(len(found), bool(wanted))
             self.assertTrue(not wanted or f"{wanted}, and 20 °C outdoors" in found[0], found)
+
+    def test_warmth_alone_moves_what_the_formulas_say(self):
+        """Two small openings, one tall one, openings with a screen, and colder air."""
+        speed = (2 * 9.81 * 3.0 * 4.0 / 293.15) ** 0.5
+        flow = stack.flow([stack.Portal(0.5, 0.999, 1.001), stack.Portal(0.2, 3.999, 4.001)], 4.0, 20.0)
+        self.assertAlmostEqual(flow, 0.6 * (0.5**-2 + 0.2**-2) ** -0.5 * speed, places=4)
+        level = [stack.Portal(0.5, 1.0, 1.0), stack.Portal(0.2, 4.0, 4.0)]
+        self.assertAlmostEqual(stack.flow(level, 4.0, 20.0) / flow, 1.0, places=3)
+        self.assertAlmostEqual(stack.flow(level, -4.0, 20.0), stack.flow(level, 4.0, 20.0))
+        tall = stack.flow([stack.Portal(2.0, 5.0, 7.0)], 4.0, 20.0)
+        self.assertAlmostEqual(tall, 0.6 * 2.0 / 3.0 * (9.81 * 2.0 * 4.0 / 293.15) ** 0.5, places=6)
+        screened = stack.flow([stack.Portal(2.0, 5.0, 7.0, resistance=3.0)], 4.0, 20.0)
+        self.assertAlmostEqual(screened / tall, (1.0 + 3.0 * 0.36) ** -0.5, places=6)
+        self.assertEqual(stack.flow([stack.Portal(2.0, 5.0, 7.0)], 0.0, 20.0), 0.0)
+        self.assertAlmostEqual(stack.rest(5.0, 3.0), 4.0)
+        self.assertEqual(stack.rest(3.0, 5.0), 0.0)
+
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_the_page_parts_warmth_and_wind(self):
+        folder = self.case(self.wind, "--outdoor-temperature", "15", "--heat", "hall", "2000W", "--iterations", "40")
+        self.run_case(folder)
+        self.atria("report", folder)
+        run = Case(folder).runs[0]
+        row = re.search(r"<tr><td>hall</td><td>([^<]*)</td><td>([^<]*)</td><td>([^<]*)</td><td>([^<]*)</td><td>",
+                        (folder / "report.html").read_text().split("by wind, estimated")[-1])
+        warmer, whole, warm, wind = map(float, row.groups())
+        opening = run.case.openings[0]
+        low, high = run.fields.face_zones[opening["name"]].GetBounds()[4:]
+        self.assertEqual((low, high), (0.0, 40.0))
+        self.assertAlmostEqual(warmer, run.warmth.rooms["hall"].last() - 15.0, delta=0.01 * warmer)
+        formula = 0.6 * opening["area"] / 3.0 * (9.81 * high * warmer / 288.15) ** 0.5
+        self.assertAlmostEqual(warm, formula, delta=0.02 * formula)
+        self.assertAlmostEqual(wind, max(whole**2 - warm**2, 0.0) ** 0.5, delta=0.02 * whole)
 
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_what_did_not_converge_is_told(self):

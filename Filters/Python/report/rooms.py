@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import html
 
-from . import comfort, screens, yearly
+from . import comfort, screens, stack, yearly
 from .writing import amount, duration, folded, number, table
 
 
@@ -78,7 +78,35 @@ def _rooms_of(case, run, fields):
     head = ["opening", "area, m²", "most air goes", "this way, m³/s", "back, m³/s", "mean speed through it, m/s"]
     head += ["heat carried this way, W"] if run.warmth else []
     text += table(head, [_opening_row(opening, run.warmth) for opening in run.openings])
-    return text + _of_last_time(run) + _screens_of(case, run, fields)
+    return text + _of_last_time(run) + _apart(case, run, fields) + _screens_of(case, run, fields)
+
+
+def _apart_rows(case, run, fields, has_rest):
+    """Of each room with openings to the outside: what it gets, what warmth alone would let in, and the rest."""
+    for room, portals in stack.portals_of(case, run, fields).items():
+        whole = run.fresh(room)
+        warmer = run.warmth.rooms[room].last() - run.warmth.outdoors
+        warm = stack.flow(portals, warmer, run.warmth.outdoors)
+        parts = (whole, warm, stack.rest(whole, warm))[:3 if has_rest else 2]
+        yield [html.escape(room), f"{warmer:+.3g}", *map(number, parts), *(number(3600.0 * part / case.volumes[room]) for part in parts)]
+
+
+def _apart(case, run, fields):
+    """How much warmth and wind move, apart; in calm air warmth alone."""
+    has_fans = any(screen.curve for screen in case.screens)
+    other = [] if not (case.has_wind or has_fans) else ["by all else"] if has_fans else ["by wind"]
+    rows = list(_apart_rows(case, run, fields, bool(other))) if run.warmth and fields else []
+    if not rows:
+        return ""
+    parts = [f"{part}, estimated" for part in ("by warmth alone", *other)]
+    head = ("room", "warmer than outdoors by, K", "air from outside, m³/s", *parts, "air changes per hour from outside", *parts)
+    text = table(head, rows)
+    text += ("<p>Warmth alone is an estimate by the formula of openings between air at the room's mean temperature and air outdoors, with "
+             f"a discharge coefficient of {stack.DISCHARGE:g}, screens, and openings to other rooms closed.")
+    if other:
+        text += (" Flows of several causes add up as squares: the rest is the root of the difference of the squares, and has the "
+                 "errors of the formula.")
+    return text + "</p>"
 
 
 def _screens_of(case, run, fields):
