@@ -304,7 +304,8 @@ class Room(unittest.TestCase):
         self.assertEqual(self.scalar(5e-6).reasons({"hall": 6e-4}), [])
         self.assertEqual(self.scalar(9e-6, fresh, mean=9e-4).reasons({"hall": 9e-4}), [])
         found = "\n".join(self.scalar(5e-6 * grows, mean=5e-4 * grows).reasons({"hall": 4e-4}))
-        for text in ("what leaves changes by 6.", "% of what sources give", "4.474e-06 units/s leave beyond what comes in, and sources give 5e-06",
+        for text in ("what leaves changes by 6.", "% of what sources give",
+                     "4.474e-06 units/s leave beyond what comes in, and sources give 5e-06",
                      "the mean in hall, 0.0004474 units/m³, changes by 7"):
             self.assertIn(text, found)
         self.assertEqual(self.scalar(9e-6, fresh, mean=9e-4).reasons({"hall": 3e-4, "other": 5e-4}),
