@@ -203,6 +203,14 @@ Json describeCase(const CaseOfDirection& flow)
   return report;
 }
 
+void addIncoming(const CaseOfDirection& flow, Json& report)
+{
+  for (std::size_t i = 0; i < flow.scalars.size(); ++i)
+  {
+    report["scalars"][i]["incoming"].update(Json(flow.scalars[i].incoming));
+  }
+}
+
 /// `towards` is the direction the wind blows to. Rooms and calm air have none.
 Json describeDirection(const CaseOfDirection& flow, double towards, const std::string& folder)
 {

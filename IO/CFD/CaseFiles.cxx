@@ -248,6 +248,29 @@ void addFlows(Filling& filling, const CaseOfDirection& flow)
   filling.values["flows"] = flows;
 }
 
+/// Returns a part for each name, which it calls `as`.
+Lines partsFor(const std::vector<std::string>& names, const char* as, const char* part, Filling filling)
+{
+  Lines lines;
+  for (const std::string& name : names)
+  {
+    filling.values[as] = {name};
+    append(lines, textOf(caseParts(), part, filling));
+  }
+  return lines;
+}
+
+/// Returns functions of the mean of a field in each cell zone and in all air.
+Lines meansOf(const std::string& field, const CaseOfDirection& flow, Filling filling)
+{
+  filling.values["field"] = {field};
+  std::vector<std::string> rooms;
+  std::ranges::transform(flow.mesh.rooms, std::back_inserter(rooms), &CaseRoom::name);
+  Lines means = partsFor(rooms, "zone", "meanInZone", filling);
+  append(means, textOf(caseParts(), "meanOfAll", filling));
+  return means;
+}
+
 /// Returns the sources of a scalar in cell zones.
 Lines sourcesOf(const CaseScalar& scalar, Filling filling)
 {
@@ -274,6 +297,7 @@ void addScalars(Filling& filling, const CaseOfDirection& flow)
     its.values["scalar"] = {scalar.name};
     its.values["sourcesOfScalar"] = sourcesOf(scalar, its);
     append(functions, textOf(caseParts(), "scalarFunction", its));
+    append(functions, meansOf(scalar.name, flow, its));
     append(models, its.values["sourcesOfScalar"]);
     for (const std::string& patch : passagesOf(flow))
     {
@@ -282,18 +306,6 @@ void addScalars(Filling& filling, const CaseOfDirection& flow)
   }
   filling.values["scalarFunctions"] = functions;
   filling.values["fvModels"] = models;
-}
-
-/// Returns a part for each name, which it calls `as`.
-Lines partsFor(const std::vector<std::string>& names, const char* as, const char* part, Filling filling)
-{
-  Lines lines;
-  for (const std::string& name : names)
-  {
-    filling.values[as] = {name};
-    append(lines, textOf(caseParts(), part, filling));
-  }
-  return lines;
 }
 
 /// Returns the sources of heat in cell zones.
@@ -325,9 +337,7 @@ template <class Map> std::vector<std::string> namesIn(const Map& map)
 void addHeat(Filling& filling, const CaseOfDirection& flow)
 {
   std::vector<std::string> openings;
-  std::vector<std::string> rooms;
   std::ranges::transform(flow.mesh.openings, std::back_inserter(openings), &CaseOpening::name);
-  std::ranges::transform(flow.mesh.rooms, std::back_inserter(rooms), &CaseRoom::name);
   filling.values["heatSources"] = heatSources(flow, filling);
   Lines functions = textOf(caseParts(), "temperatureFunction", filling);
   if (!openings.empty())
@@ -336,8 +346,7 @@ void addHeat(Filling& filling, const CaseOfDirection& flow)
   }
   append(functions, partsFor(openings, "zone", "heatOfOpening", filling));
   append(functions, partsFor(passagesOf(flow), "patch", "heatOfPatch", filling));
-  append(functions, partsFor(rooms, "zone", "meanTemperature", filling));
-  append(functions, textOf(caseParts(), "meanOfAllTemperatures", filling));
+  append(functions, meansOf("T", flow, filling));
   if (!flow.heat.temperatures.empty())
   {
     append(functions, textOf(caseParts(), "surfaceHeat", filling));

@@ -415,6 +415,7 @@ WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings,
       finishMesh(caseFolder, poly, changed, flow, context);
     }
     addProcessors(folder, folders[d] != ".", settings.processors);
+    addIncoming(flow, report);
     report["directions"].push_back(describeDirection(flow, settings.directions[d], folders[d]));
     removeEmptyDomain(folder);
     if (settings.checkProfile && flow.hasWind())
