@@ -23,6 +23,7 @@ constexpr std::array linesAfterLocation{"DESIGN CONDITIONS",   "TYPICAL/EXTREME 
 // Files before 2005 lack the last three of 35 columns.
 constexpr std::size_t fewestColumns = 32;
 constexpr std::size_t mostColumns = 35;
+constexpr std::size_t yearColumn = 0;
 constexpr std::size_t monthColumn = 1;
 constexpr std::size_t temperatureColumn = 6;
 constexpr std::size_t directionColumn = 20;
@@ -82,6 +83,7 @@ WeatherHour recordFrom(const LineReader& place, const std::vector<std::string_vi
   WeatherHour record;
   record.month = wholeNumberIn(place, fields[monthColumn], "month", 1, 12);
   record.day = wholeNumberIn(place, fields[monthColumn + 1], "day", 1, daysIn(record.month));
+  checkLeapDay(place, fields[yearColumn], {record.month, record.day});
   record.hour = wholeNumberIn(place, fields[monthColumn + 2], "hour", 1, 24);
   record.temperature = valueIn(place, fields[temperatureColumn], temperature);
   record.windFrom = valueIn(place, fields[directionColumn], direction);

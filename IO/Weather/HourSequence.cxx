@@ -84,6 +84,18 @@ int daysIn(int month)
   return days.at(static_cast<std::size_t>(month - 1));
 }
 
+void checkLeapDay(const LineReader& place, std::string_view year, const Day& day)
+{
+  const double number = numberFrom(year).value_or(0.0);
+  const auto isDivisibleBy = [number](int divisor) { return std::fmod(number, divisor) == 0.0; };
+  const bool isLeap = isDivisibleBy(4) && (!isDivisibleBy(100) || isDivisibleBy(400));
+  if (day == Day{2, 29} && number >= 1.0 && isDivisibleBy(1) && !isLeap)
+  {
+    place.fail("2/29 does not exist in " + shortNumber(number) +
+               ", which is no leap year: correct the year, or remove the day");
+  }
+}
+
 bool isNextDay(const Day& before, const Day& after)
 {
   if (after.month == before.month)

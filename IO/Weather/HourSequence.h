@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace atria::weather {
@@ -20,6 +21,9 @@ struct Day
 
 /// Days in a month, February's 29th included.
 int daysIn(int month);
+/// Throws Error for February 29th of a year that has none. The year is a field of the current line; one that is no
+/// whole number above 0 is not checked.
+void checkLeapDay(const LineReader& place, std::string_view year, const Day& day);
 /// True if one day comes after another. After February 28th the 29th or March 1st may come.
 bool isNextDay(const Day& before, const Day& after);
 

@@ -82,6 +82,7 @@ void readDate(const LineReader& place, std::string_view field, WeatherHour& reco
   }
   record.month = wholeNumberIn(place, parts[0], "month", 1, 12);
   record.day = wholeNumberIn(place, parts[1], "day", 1, daysIn(record.month));
+  checkLeapDay(place, parts[2], {record.month, record.day});
 }
 
 /// Returns the day before; the one before March 1st is February 28th.

@@ -30,9 +30,21 @@ std::string_view withoutQuotes(std::string_view field)
   return isQuoted ? trimmed(field.substr(1, field.size() - 2)) : field;
 }
 
-bool isMissing(const Quantity& quantity, double value)
+/// True for nothing but nines, such as 99.90 or -9999, beyond the code for a missing value.
+bool isNines(std::string_view field, const Quantity& quantity, double value)
 {
-  return quantity.missing > quantity.most ? value >= quantity.missing : value <= quantity.missing;
+  const bool isBeyond = quantity.missing > 0.0 ? value >= quantity.missing : value <= quantity.missing;
+  field.remove_prefix(field.starts_with('+') || field.starts_with('-') ? 1 : 0);
+  if (field.find('.') != field.npos)
+  {
+    field = field.substr(0, field.find_last_not_of('0') + 1);
+  }
+  return isBeyond && field.find_first_not_of("9.") == field.npos;
+}
+
+bool isMissing(std::string_view field, const Quantity& quantity, double value)
+{
+  return value == quantity.missing || isNines(field, quantity, value);
 }
 
 std::string adviceFor(const Quantity& quantity)
@@ -145,7 +157,7 @@ std::optional<double> valueIn(const LineReader& place, std::string_view field, c
   {
     place.fail(std::string("the ") + quantity.name + ", " + quoted(field) + ", is no number" + adviceFor(quantity));
   }
-  if (isMissing(quantity, *value))
+  if (isMissing(field, quantity, *value))
   {
     return std::nullopt;
   }

@@ -32,6 +32,7 @@ private:
 };
 
 /// A measured quantity: its unit, its range, and the number that stands for a missing value, which is out of range.
+/// More nines than that number has stand for a missing value, too, such as 999 for 99.9.
 struct Quantity
 {
   const char* name;

@@ -151,6 +151,44 @@ TEST(WeatherYears, LeapYearsHave8784Hours)
   expectSame(weatherOf(tmy3LinesOf(leapYear)).hours, leapYear);
 }
 
+TEST_F(WeatherFiles, TheYearOfALeapDayIsALeapYear)
+{
+  constexpr std::size_t leapDay = 24 * (31 + 28); // hours before it
+  const std::vector<WeatherHour> leapYear = yearOf(steadyHour, true);
+  const auto refusedEpw = [&](const char* ofYear) {
+    return refusalOf(withField(linesOf(EpwSample{leapYear}), 9 + leapDay, 0, ofYear));
+  };
+  EXPECT_EQ(refusedEpw("2021"),
+            "city.epw:1425: 2/29 does not exist in 2021, which is no leap year: correct the year, or remove the day");
+  EXPECT_THAT(refusedEpw("1900"), StartsWith("city.epw:1425: 2/29 does not exist in 1900"));
+  for (const char* ofYear : {"2000", "2024", "0", ""})
+  {
+    EXPECT_EQ(refusedEpw(ofYear), "was taken") << ofYear;
+  }
+  EXPECT_THAT(refusalOf(withField(tmy3LinesOf(leapYear), 3 + leapDay, 0, "02/29/2021")),
+              StartsWith("city.epw:1419: 2/29 does not exist in 2021"));
+  EXPECT_EQ(refusalOf(withField(epw, 9 + leapDay - 1, 0, "2021")), "was taken") << "February 28th";
+}
+
+TEST_F(WeatherFiles, OnlyNinesAreMissing)
+{
+  for (const char* nines : {"99.9", "99.90", "+99.9", "99.99", "999", "999.0", "999.90", "9999"})
+  {
+    EXPECT_FALSE(weatherOf(withField(epw, 500, 6, nines)).hours[491].temperature) << nines;
+  }
+  for (const char* kelvin : {"295", "99.91", "100", "990", "-99.9", "1e3"})
+  {
+    EXPECT_THAT(refusalOf(withField(epw, 500, 6, kelvin)), StartsWith("city.epw:500: the dry-bulb temperature, "))
+        << kelvin;
+  }
+  EXPECT_FALSE(weatherOf(withField(epw, 500, 21, "9999.0")).hours[491].windSpeed);
+  EXPECT_THAT(refusalOf(withField(epw, 500, 21, "1200")), StartsWith("city.epw:500: the wind speed, 1200 m/s"));
+  EXPECT_THAT(refusalOf(withField(epw, 500, 20, "1000")), StartsWith("city.epw:500: the wind direction, 1000"));
+  EXPECT_FALSE(weatherOf(withField(tmy3, 500, 3, "-9900.0")).hours[497].temperature);
+  EXPECT_FALSE(weatherOf(withField(tmy3, 500, 3, "-9999")).hours[497].temperature);
+  EXPECT_THAT(refusalOf(withField(tmy3, 500, 3, "-12000")), HasSubstr(":500: the dry-bulb temperature, -12000 C"));
+}
+
 TEST(WeatherYears, MissingValuesAreAbsent)
 {
   const std::vector<WeatherHour> year = yearOf([](WeatherHour& hour, int number) {

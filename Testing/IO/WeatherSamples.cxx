@@ -15,8 +15,8 @@ std::string number(const std::optional<double>& value, const char* missing)
   return value ? text : missing;
 }
 
-/// Years differ from month to month, as in typical years.
-int yearOfMonth(int month) { return 1990 + month * 7 % 11; }
+/// Returns a year that differs from month to month, as in typical years. February's is a leap year.
+int yearOfMonth(int month) { return 1990 + month * 3 % 11; }
 
 std::string epwLine(const WeatherHour& hour)
 {
