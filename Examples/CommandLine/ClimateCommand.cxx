@@ -123,19 +123,44 @@ void declareOutput(CLI::App& command, Options& options)
   declareConfigFile(command, options.writeConfig, "do nothing else");
 }
 
+weather::ClimateOptions coreOptions(const Options& options)
+{
+  weather::ClimateOptions result;
+  if (!options.temperature.empty())
+  {
+    result.ventilation = {options.temperature[0], options.temperature[1]};
+    result.onlyVentilated = true;
+  }
+  if (!options.hours.empty())
+  {
+    result.time = {options.hours[0], options.hours[1]};
+  }
+  if (!options.season.empty())
+  {
+    const auto season = std::find(seasons.begin(), seasons.end(), options.season) - seasons.begin();
+    result.season = static_cast<weather::Season>(season);
+  }
+  if (!options.months.empty())
+  {
+    result.months = weather::monthsFrom(options.months);
+  }
+  result.rose = options.rose;
+  return result;
+}
+
 void checkOptions(const Options& options)
 {
   if (options.input.empty())
   {
     throw Failure(Usage, "WEATHER is required: name an .epw file, or a .csv file of TMY3");
   }
-  if (options.temperature.size() == 2 && options.temperature[0] > options.temperature[1])
+  try
   {
-    throw Failure(Usage, "--temperature: the lower one comes first");
+    weather::checkOptions(coreOptions(options));
   }
-  if (options.hours.size() == 2 && options.hours[0] == options.hours[1])
+  catch (const Error& error)
   {
-    throw Failure(Usage, "--hours: between two equal times there are no hours; leave it out for the whole day");
+    throw Failure(Usage, error.what());
   }
   if (!options.output.empty())
   {
@@ -145,29 +170,6 @@ void checkOptions(const Options& options)
   {
     checkOutput("--picture", options.picture, ".svg");
   }
-}
-
-weather::HourFilter filterOf(const Options& options, double latitude)
-{
-  weather::HourFilter filter;
-  if (!options.temperature.empty())
-  {
-    filter.temperature = {options.temperature[0], options.temperature[1]};
-  }
-  if (!options.hours.empty())
-  {
-    filter.time = {options.hours[0], options.hours[1]};
-  }
-  if (!options.season.empty())
-  {
-    const auto season = std::find(seasons.begin(), seasons.end(), options.season) - seasons.begin();
-    filter.months = weather::monthsOf(static_cast<weather::Season>(season), latitude);
-  }
-  if (!options.months.empty())
-  {
-    filter.months = weather::monthsFrom(options.months);
-  }
-  return filter;
 }
 
 std::string wordsOn(const Options& options)
@@ -195,21 +197,7 @@ std::string wordsOn(const Options& options)
 
 Climate climateOf(const Options& options)
 {
-  Climate climate;
-  climate.file = options.input;
-  climate.weather = weather::readWeather(options.input);
-  climate.options = options.rose;
-  climate.filter = wordsOn(options);
-  climate.missing = weather::missingIn(climate.weather.hours, options.rose.calmSpeed);
-  weather::HourFilter filter = filterOf(options, climate.weather.station.latitude);
-  const std::vector<weather::WeatherHour> kept = weather::hoursKept(climate.weather.hours, filter);
-  climate.kept = kept.size();
-  climate.ventilation = filter.temperature.value_or(weather::TemperatureRange());
-  filter.temperature.reset();
-  climate.ventilated = weather::countIn(weather::hoursKept(climate.weather.hours, filter), climate.ventilation);
-  climate.rose = weather::windRoseOf(kept, options.rose);
-  climate.hasUnevenSectors = weather::dividesRoundedDirections(climate.weather.hours, options.rose.sectors);
-  return climate;
+  return {weather::readClimate(options.input, coreOptions(options)), options.input, wordsOn(options)};
 }
 
 void writeFiles(const Climate& climate, const Options& options)

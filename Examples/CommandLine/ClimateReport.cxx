@@ -14,21 +14,10 @@ namespace atria::tool {
 namespace {
 
 using weather::RoseSector;
+using weather::withCommas;
 
 /// NEN 8100 judges comfort by the hours above this speed, m/s.
 constexpr double comfortSpeed = 5.0;
-
-/// Returns an integer with commas between thousands.
-std::string withCommas(std::size_t number)
-{
-  std::string text = std::to_string(number);
-  for (std::size_t at = text.size(); at > 3;)
-  {
-    at -= 3;
-    text.insert(at, ",");
-  }
-  return text;
-}
 
 std::string numberText(double value)
 {
@@ -77,48 +66,6 @@ void printRose(const weather::WindRose& rose)
               rose.whole.scale, rose.whole.shape);
   std::printf("Above %g m/s: %.1f %% of hours in the file, %.1f %% by the table\n", comfortSpeed,
               100.0 * weather::measuredShareAbove(rose, comfortSpeed), 100.0 * weather::shareAbove(rose, comfortSpeed));
-}
-
-std::string hoursLack(std::size_t hours, const char* what)
-{
-  return hours == 0 ? "" : withCommas(hours) + (hours == 1 ? " lacks its " : " lack their ") + what;
-}
-
-/// Reports missing values; with a warning where they are many.
-void noteMissing(const Climate& climate, Console& console)
-{
-  const auto [temperature, wind] = climate.missing;
-  if (temperature + wind == 0)
-  {
-    return;
-  }
-  constexpr double manyPercent = 10.0;
-  const std::size_t all = climate.weather.hours.size();
-  const std::string text = climate.file + ": of " + withCommas(all) + " hours, " +
-                           hoursLack(temperature, "temperature") + (temperature > 0 && wind > 0 ? " and " : "") +
-                           hoursLack(wind, "wind") + "; statistics that need the value leave them out";
-  if (percentOf(std::max(temperature, wind), all) > manyPercent)
-  {
-    console.warning(text + ". That is more than a tenth: take another file or station if there is one");
-  }
-  else
-  {
-    console.note(text);
-  }
-}
-
-void noteFewHours(const Climate& climate, Console& console)
-{
-  std::string names;
-  for (const RoseSector& sector : climate.rose.sectors)
-  {
-    names += sector.hasOwnShape ? "" : (names.empty() ? "" : ", ") + numberText(sector.from);
-  }
-  if (!names.empty())
-  {
-    console.note("fewer than " + std::to_string(weather::leastHoursForShape) + " hours of wind from " + names +
-                 " degrees: their shape is that of all sectors together; keep more hours, or take fewer sectors");
-  }
 }
 
 } // namespace
@@ -182,12 +129,10 @@ void printClimate(const Climate& climate)
 
 void noteDoubts(const Climate& climate, Console& console)
 {
-  noteMissing(climate, console);
-  noteFewHours(climate, console);
-  if (climate.hasUnevenSectors)
+  for (const Warning& doubt : weather::doubtsOf(climate))
   {
-    console.warning("directions are rounded to 10 degrees, and " + std::to_string(climate.options.sectors) +
-                    " sectors do not hold equally many of them: take 4, 12 or 36");
+    const std::string text = climate.file + ": " + doubt.text;
+    doubt.gravity == Gravity::grave ? console.warning(text) : console.note(text);
   }
 }
 

@@ -4,9 +4,7 @@
 
 #include "Report.h"
 
-#include <WeatherFile.h>
-#include <WeatherHours.h>
-#include <WindClimate.h>
+#include <WeatherClimate.h>
 
 #include <string>
 
@@ -14,19 +12,11 @@ namespace atria::tool {
 
 class Console;
 
-/// A weather file's statistics, and what they were made with.
-struct Climate
+/// A weather file's statistics, and words on what they were made of.
+struct Climate : weather::Climate
 {
   std::string file;
-  weather::Weather weather;
-  weather::RoseOptions options;
-  weather::MissingHours missing;         ///< in the whole file
-  std::string filter;                    ///< words on the hours that were kept; empty for all
-  std::size_t kept = 0;                  ///< hours that passed the filter
-  weather::TemperatureRange ventilation; ///< temperatures that allow natural ventilation
-  weather::TemperatureCount ventilated;  ///< among hours that pass the filter but for its temperatures
-  weather::WindRose rose;                ///< made of the hours kept
-  bool hasUnevenSectors = false;         ///< see weather::dividesRoundedDirections()
+  std::string filter; ///< words on the hours that were kept; empty for all
 };
 
 /// Returns the title of a picture and the line below it.

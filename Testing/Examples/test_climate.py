@@ -175,7 +175,22 @@ class Climate(BoxCase):
             self.refuses(status, wanted, bad, "-o", self.folder / "bad.csv")
         self.assertFalse((self.folder / "bad.csv").exists())
         self.refuses(3, "does not exist", self.folder / "absent.epw")
-        self.refuses(3, "none of 0 hours", self.weather, "--temperature", 60, 70)
+
+    def test_temperatures_that_no_hour_has_are_named_as_the_cause(self):
+        self.refuses(3, f"error: {self.weather}: no hour has a temperature from 60 to 70 C; the file has 17.9 to 26.1 C\n",
+                     self.weather, "--temperature", 60, 70)
+        self.refuses(3, "no hour has a temperature from 291.15 to 299.15 C; the file has 17.9 to 26.1 C; the limits look like "
+                     "kelvin: write 18 to 26 degrees Celsius\n", self.weather, "--temperature", 291.15, 299.15)
+        self.refuses(3, "none of the 744 hours selected has a temperature from 0 to 5 C; these have 17.9 to 26.1 C, and the file has ",
+                     self.weather, "--temperature", 0, 5, "--months", 7)
+        unknown = self.folder / "unknown.epw"
+        unknown.write_text(epw(lambda n: 99.9, lambda n: 90, lambda n: 3.0))
+        self.refuses(3, "no hour of the file has a known temperature; leave out", unknown, "--temperature", 18, 26)
+        self.assertEqual(json.loads(self.climate(unknown, "--json").stdout)["hours"]["kept"], 8760)
+        partly = self.folder / "partly.epw"
+        partly.write_text(epw(lambda n: 99.9 if n < 2000 else 20.0, lambda n: 90, lambda n: 3.0))
+        self.refuses(3, "none of the 744 hours selected has a known temperature; select", partly, "--temperature", 18, 26,
+                     "--months", 1)
 
     def test_usage(self):
         self.refuses(2, "WEATHER is required")
