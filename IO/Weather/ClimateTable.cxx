@@ -2,6 +2,7 @@
 #include "ClimateTable.h"
 
 #include "Support/Error.h"
+#include "WeatherFile.h"
 #include "WeatherText.h"
 
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <optional>
 
 namespace atria::weather {
@@ -104,6 +106,22 @@ void normalize(std::vector<ClimateSector>& table, const std::string& file)
   }
 }
 
+/// Throws Error for a direction that stands twice. Directions count to a tenth of a degree, as in the names of runs.
+void checkDirections(const std::vector<ClimateSector>& table, const std::string& file)
+{
+  std::map<double, std::size_t> sectorOf;
+  for (std::size_t i = 0; i < table.size(); ++i)
+  {
+    const double tenths = std::fmod(std::floor(10.0 * table[i].from + 0.5), 3600.0);
+    const auto [found, isNew] = sectorOf.emplace(tenths, i);
+    if (!isNew)
+    {
+      throw Error(placeOf(file, i) + ": sector " + std::to_string(found->second + 1) + " has the direction " +
+                  shortNumber(tenths / 10.0) + ", too; give each direction once");
+    }
+  }
+}
+
 } // namespace
 
 std::vector<ClimateSector> tableOf(const WindRose& rose)
@@ -132,11 +150,16 @@ std::vector<ClimateSector> readClimateTable(const std::filesystem::path& file)
 {
   const std::string name = file.string();
   const std::string text = bytesOf(name);
+  if (formatOf(text))
+  {
+    throw Error(name + " is a weather file and no table of the wind: make the table of it first, by `atria climate`");
+  }
   std::vector<ClimateSector> table = file.extension() == ".json" ? fromJson(text, name) : fromCsv(text, name);
   if (table.empty())
   {
     throw Error(name + ": holds no sectors of wind; columns are from, frequency, scale, shape");
   }
+  checkDirections(table, name);
   normalize(table, name);
   return table;
 }

@@ -24,7 +24,8 @@ std::vector<ClimateSector> tableOf(const WindRose& rose);
 std::string csvOf(const std::vector<ClimateSector>& table);
 
 /// Reads a .csv table with these columns, or a .json list of objects with these keys. Frequencies may be shares or
-/// percent; those returned sum to 1. Throws Error naming file and sector.
+/// percent; those returned sum to 1. Throws Error naming file and sector, also for a direction that stands twice, and
+/// for a weather file in place of a table.
 std::vector<ClimateSector> readClimateTable(const std::filesystem::path& file);
 
 /// Returns where the wind comes from in sectors with a frequency above 0, in the order of the table.

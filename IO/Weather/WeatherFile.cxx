@@ -6,6 +6,8 @@
 #include "Tmy3File.h"
 #include "WeatherText.h"
 
+#include <fstream>
+
 namespace atria::weather {
 
 namespace {
@@ -27,20 +29,36 @@ namespace {
 
 } // namespace
 
-Weather weatherFrom(std::string_view text, const std::string& file)
+std::optional<WeatherFormat> formatOf(std::string_view text)
 {
-  LineReader lines(text, file);
+  LineReader lines(text, {});
   if (lines.next() && isEpw(lines.line()))
   {
-    return readEpw(lines);
+    return WeatherFormat::Epw;
   }
-  if (lines.next() && isTmy3(lines.line()))
+  return lines.next() && isTmy3(lines.line()) ? std::optional(WeatherFormat::Tmy3) : std::nullopt;
+}
+
+bool isWeather(const std::filesystem::path& file)
+{
+  constexpr std::size_t longestStart = 65536; // two lines, and blank ones
+  std::string start(longestStart, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(in.gcount()));
+  return formatOf(start).has_value();
+}
+
+Weather weatherFrom(std::string_view text, const std::string& file)
+{
+  const std::optional<WeatherFormat> format = formatOf(text);
+  if (!format)
   {
-    LineReader again(text, file);
-    again.next();
-    return readTmy3(again);
+    refuse(text, file);
   }
-  refuse(text, file);
+  LineReader lines(text, file);
+  lines.next();
+  return *format == WeatherFormat::Epw ? readEpw(lines) : readTmy3(lines);
 }
 
 Weather readWeather(const std::filesystem::path& file) { return weatherFrom(bytesOf(file.string()), file.string()); }

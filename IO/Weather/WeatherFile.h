@@ -42,10 +42,16 @@ struct Weather
   std::vector<WeatherHour> hours; ///< in the order of the file
 };
 
+/// Returns the format of a text by its first two lines; nothing if it is no weather.
+std::optional<WeatherFormat> formatOf(std::string_view text);
+
+/// True if a file can be read and has such a beginning.
+bool isWeather(const std::filesystem::path& file);
+
 /// Returns what a weather file holds. The format follows from the first two lines.
 ///
 /// Several records of an hour are averaged, as the statistics are those of hourly means. Hours must follow each other
-/// and fill the file's periods; years are ignored, as typical years mix them.
+/// and fill the file's periods. Years only say whether there is a February 29th, as typical years mix them.
 /// \throws Error that names the file and the line, and says what to do.
 /// \see EnergyPlus, Auxiliary Programs, "EnergyPlus Weather File (EPW) Data Dictionary"; Wilcox, Marion 2008: Users
 ///      Manual for TMY3 Data Sets, NREL/TP-581-43156.

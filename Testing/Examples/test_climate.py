@@ -123,6 +123,9 @@ class Climate(BoxCase):
         self.assertEqual(self.atria("case", self.box, "-o", case, "--rose", table).returncode, 0)
         run = self.atria("report", case, "--climate", table, "--station", "10", "0.03")
         self.assertNotIn("climate.csv", run.stderr)
+        run = self.atria("report", case, "--climate", self.weather)
+        self.assertEqual(run.returncode, 3, run.stderr)
+        self.assertIn("town.epw is a weather file and no table of the wind: make the table of it first, by `atria climate`", run.stderr)
 
     def test_case_takes_the_table_for_its_rose(self):
         table = self.folder / "rose.csv"
@@ -137,8 +140,11 @@ class Climate(BoxCase):
         self.atria("case", "--write-config", config, "--rose", table)
         run = self.atria("case", self.box, "-o", self.folder / "by_config", "--config", config)
         self.assertEqual((run.returncode, run.stderr), (0, ""))
+        twice = self.folder / "twice.csv"
+        twice.write_text("from,frequency,scale,shape\n0,0.5,4,2\n360,0.5,4,2\n")
         for status, text, rose in ((2, "neither a whole number from 0 to 360 nor a file", "absent.csv"), (2, "neither", "1.5"),
-                                   (2, "neither", "361"), (3, "town.epw, sector 1: 'from' is missing", self.weather)):
+                                   (2, "neither", "361"), (3, "town.epw is a weather file and no table", self.weather),
+                                   (3, "twice.csv, sector 2: sector 1 has the direction 0, too", twice)):
             run = self.atria("case", self.box, "-o", self.folder / "no", "--rose", rose)
             self.assertEqual(run.returncode, status, run.stderr)
             self.assertIn(text, run.stderr)

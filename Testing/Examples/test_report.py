@@ -155,6 +155,16 @@ class Comfort(Folder):
                             ("0,1,0,2\n", "scale and shape"), ("0,x,4,2\n", "'frequency'"), ("nan,1,4,2\n", "sector 1")):
             with self.assertRaisesRegex(Error, wanted):
                 read_climate(self.file("climate.csv", head + row))
+        for row in ("0,0.5,4,2\n90,0.3,4,2\n-270.02,0.2,5,2\n", "0,0.8,4,2\n90,0.2,4,2\n90,0,5,2\n"):
+            with self.assertRaisesRegex(Error, "climate.csv, sector 3: sector 2 has the direction 90, too; give each direction once"):
+                read_climate(self.file("climate.csv", head + row))
+        with self.assertRaisesRegex(Error, "sector 2: sector 1 has the direction 0, too"):
+            read_climate(self.file("climate.csv", head + "359.98,0.5,4,2\n0,0.5,4,2\n"))
+        for weather in (b"LOCATION,Z\xfcrich,-,CHE\nDESIGN CONDITIONS,0\n", b"\xef\xbb\xbfLOCATION,City,-,LND\r\n",
+                        b'700000,"CITY",ST\nDate (MM/DD/YYYY),Time (HH:MM)\n'):
+            (self.folder / "year.epw").write_bytes(weather)
+            with self.assertRaisesRegex(Error, "year.epw is a weather file and no table of the wind: make the table of it first, by `atria climate`"):
+                read_climate(self.folder / "year.epw")
         with self.assertRaisesRegex(Error, "climate.json"):
             read_climate(self.file("climate.json", "{"))
         with self.assertRaisesRegex(Error, "absent.csv"):

@@ -399,6 +399,17 @@ TEST_F(ClimateTables, BadOnesAreRefused)
   EXPECT_THAT(refusalOf(head + "0,1,4,2\n0,x,4,2\n"), HasSubstr("sector 2: 'frequency' is missing or no number"));
   EXPECT_THAT(refusalOf(head + "0,0.5,4,2\n"), HasSubstr("sum up to 0.5 instead of 1 or 100"));
   EXPECT_THAT(refusalOf(head + "0,1,0,2\n"), HasSubstr("more than 0"));
+  EXPECT_THAT(refusalOf(head + "0,0.5,4,2\n90,0.3,4,2\n-270.02,0.2,5,2\n"),
+              HasSubstr("climate.csv, sector 3: sector 2 has the direction 90, too; give each direction once"));
+  EXPECT_THAT(refusalOf(head + "359.98,0.5,4,2\n0,0.5,4,2\n"),
+              HasSubstr("sector 2: sector 1 has the direction 0, too"));
+  EXPECT_EQ(refusalOf(head + "10,0.5,4,2\n10.1,0.5,4,2\n"), "was taken");
+  const std::vector<WeatherHour> year = yearOf([](WeatherHour& hour, int) { hour.temperature = 20.0; });
+  for (const std::vector<std::string>& lines : {linesOf(EpwSample{year}), tmy3LinesOf(year)})
+  {
+    EXPECT_THAT(refusalOf(textOf(lines)), HasSubstr("climate.csv is a weather file and no table of the wind: make the "
+                                                    "table of it first, by `atria climate`"));
+  }
   EXPECT_THAT(refusalOf("{", "climate.json"), HasSubstr("no list of sectors in JSON"));
   EXPECT_THAT(refusalOf("[1]", "climate.json"), HasSubstr("sector 1: 'from' is missing"));
 }

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 import pathlib
 from dataclasses import dataclass
 
@@ -51,20 +52,41 @@ def _sector(row, where):
     return Sector(*values)
 
 
+def _check_not_weather(data, path):
+    """EPW and TMY3 are known by their first lines, as `atria climate` knows them."""
+    lines = [line for line in data[:2000].decode("latin-1").lower().removeprefix("ï»¿").splitlines() if line.strip()]
+    if lines and lines[0].strip().startswith("location,") or len(lines) > 1 and "date (mm/dd/yyyy)" in lines[1]:
+        raise Error(f"{path} is a weather file and no table of the wind: make the table of it first, by `atria climate`")
+
+
+def _check_directions(sectors, path):
+    """To a tenth of a degree, as `atria case` names its runs."""
+    found = {}
+    for number, sector in enumerate(sectors, 1):
+        tenths = math.floor(10.0 * (sector.origin % 360.0) + 0.5) % 3600
+        if tenths in found:
+            raise Error(f"{path}, sector {number}: sector {found[tenths]} has the direction {tenths / 10:g}, too; "
+                        "give each direction once")
+        found[tenths] = number
+
+
 def read_climate(file) -> list[Sector]:
     """Of a .csv table with the columns from, frequency, scale, shape, or a .json list of objects with these keys.
 
-    Frequencies may be shares or percent: they must sum up to about 1 or 100.
+    Frequencies may be shares or percent: they must sum up to about 1 or 100. A direction stands once.
     """
     path = pathlib.Path(file)
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        data = path.read_bytes()
+        _check_not_weather(data, path)
+        text = data.decode("utf-8-sig")
         rows = json.loads(text) if path.suffix == ".json" else list(csv.DictReader(text.splitlines(), skipinitialspace=True))
     except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
         raise Error(f"{path}: {error}") from None
     if not isinstance(rows, list) or not rows:
         raise Error(f"{path}: holds no sectors of wind")
     sectors = [_sector(row, f"{path}, sector {number}") for number, row in enumerate(rows, 1)]
+    _check_directions(sectors, path)
     total = sum(sector.frequency for sector in sectors)
     whole = 100.0 if total > 10.0 else 1.0
     if abs(total / whole - 1.0) > 0.02:
