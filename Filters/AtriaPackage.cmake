@@ -5,7 +5,7 @@ vtk_module_scan(
   MODULE_FILES ${atria_module_files}
   PROVIDES_MODULES atria_modules
   REQUEST_MODULES Atria::FiltersMeshing Atria::FiltersQuality Atria::IOSurface Atria::IOVRML Atria::IOModel Atria::IOCFD
-    Atria::IOWeather
+    Atria::IOWeather Atria::IOClimate
   ENABLE_TESTS OFF)
 vtk_module_build(
   MODULES ${atria_modules}

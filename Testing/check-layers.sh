@@ -27,7 +27,7 @@ forbid Filters/Core '(.*/)?vtk[A-Z]' 'Filters/Core must not include VTK:'
 forbid Filters/Core "($(headers_in Filters/Bridge))" 'Filters/Core must not include the bridge to VTK:'
 forbid IO "($(headers_in Filters/Meshing Filters/Quality))" 'IO must not include filters:'
 forbid IO/Weather '(.*/)?vtk[A-Z]' 'IO/Weather must not include VTK:'
-forbid IO/Weather "($(headers_in Filters/Bridge IO/CFD IO/Model IO/Surface IO/VRML)|CLI/)" 'IO/Weather must not include the bridge to VTK, other readers or the command line:'
+forbid IO/Weather "($(headers_in Filters/Bridge IO/CFD IO/Climate IO/Model IO/Surface IO/VRML)|CLI/)" 'IO/Weather must not include the bridge to VTK, other readers or the command line:'
 forbid IO/Weather '(Grid|Surface|Domain|Octree|Dual|Layer|Audit|Quality|Optimize|Mesher|Ranks)/' 'IO/Weather must include no more of the core than Support:'
 forbid Filters "($(headers_in IO))" 'Filters must not include IO:'
 # CGAL is slow to compile: only the few sources that need it include it.

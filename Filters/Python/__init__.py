@@ -21,6 +21,7 @@ import vtkmodules.vtkIOCore
 from .AtriaFiltersMeshing import *
 from .AtriaFiltersQuality import *
 from .AtriaIOCFD import *
+from .AtriaIOClimate import *
 from .AtriaIOSurface import *
 from .AtriaIOVRML import *  # derived from classes of the one before
 from .AtriaIOModel import *

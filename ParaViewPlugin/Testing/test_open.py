@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The plugin opens VRML and leaves all other formats to ParaView's readers; its reader of models is a source."""
+"""The plugin opens VRML and weather, and leaves all other formats to ParaView's readers; its reader of models is a source."""
 
 import base64
 import json
 import os
 import pathlib
+import runpy
 import shutil
 import struct
 
-from paraview import simple
+from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray, vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPartitionedDataSetCollection, vtkPolyData,
@@ -231,6 +232,38 @@ def check_menu():
     assert set(chooser.GetAttribute("extensions").split()) == set(NAMES) | EXCHANGED, chooser.GetAttribute("extensions")
 
 
+def write_weather():
+    """A year as EPW; a file that begins as TMY3 does; a table that is no weather."""
+    make_weather = pathlib.Path(__file__).parents[2] / "Examples" / "NaturalVentilation" / "make_weather.py"
+    runpy.run_path(str(make_weather))["main"](FOLDER / "year.epw")
+    (FOLDER / "tmy3.csv").write_text('700000,"CITY",ST,1.0,50,8,10\nDate (MM/DD/YYYY),Time (HH:MM)\n')
+    (FOLDER / "table.csv").write_text("from,frequency,scale,shape\n0,1,4,2\n")
+
+
+def check_weather():
+    """A year opens as the table of its wind. Tables that are no weather are ParaView's."""
+    write_weather()
+    reader = simple.OpenDataFile(str(FOLDER / "year.epw"))
+    assert reader.GetXMLName() == "AtriaWeatherReader", reader.GetXMLName()
+    reader.Sectors = 4
+    reader.UseTemperatureRange = 1
+    reader.UpdatePipeline()
+    table = reader.GetClientSideObject().GetOutput()
+    assert [table.GetColumnName(i) for i in range(table.GetNumberOfColumns())] == ["from", "frequency", "scale", "shape"]
+    assert table.GetNumberOfRows() == 4
+    assert 0 < table.GetFieldData().GetArray("HoursKept").GetValue(0) < 8760
+    simple.Delete(reader)
+    table = simple.OpenDataFile(str(FOLDER / "table.csv"))
+    assert table.GetXMLName() == "CSVReader", table.GetXMLName()
+    simple.Delete(table)
+    factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
+    session = servermanager.ActiveConnection.Session
+    for file, wanted in (("tmy3.csv", True), ("table.csv", False)):
+        readers = factory.GetReaders(str(FOLDER / file), session)
+        names = {readers.GetString(i) for i in range(readers.GetNumberOfStrings())}
+        assert ("AtriaWeatherReader" in names, "CSVReader" in names) == (wanted, True), (file, names)
+
+
 def main():
     shutil.rmtree(FOLDER, ignore_errors=True)
     FOLDER.mkdir(parents=True)
@@ -240,6 +273,7 @@ def main():
     load_plugin()
     check_others(before)
     check_vrml()
+    check_weather()
     check_model_reader()
     check_menu()
     for ending, found in before.items():

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """atria climate: what it prints and writes, what it refuses, and that `atria report` and `atria case` take its table.
+VTK's reader of weather makes the same table.
 
 Usage: test_climate.py ATRIA
 """
 
 import csv
-import datetime
 import json
 import math
 import pathlib
@@ -15,30 +15,14 @@ import sys
 import unittest
 import xml.etree.ElementTree as ElementTree
 
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import atria
 from atria.report import comfort, read_climate
 from box_mesh import BoxCase
+from weather_year import epw
 
 ATRIA = pathlib.Path(sys.argv[1])
-HEADER = """LOCATION,Port & Town,-,AUS,Test,000000,{latitude},150.2,10.0,12.5
-DESIGN CONDITIONS,0
-TYPICAL/EXTREME PERIODS,0
-GROUND TEMPERATURES,0
-HOLIDAYS/DAYLIGHT SAVINGS,No,0,0,0
-COMMENTS 1,
-COMMENTS 2,
-DATA PERIODS,1,1,Data,Sunday,1/1,12/31
-"""
-
-
-def epw(temperature, direction, speed, latitude=-33.9):
-    """A year of 8,760 hours; arguments are functions of an hour's number."""
-    lines = [HEADER.format(latitude=latitude)]
-    day = datetime.date(2001, 1, 1)
-    for number in range(8760):
-        date = day + datetime.timedelta(days=number // 24)
-        lines.append(f"2001,{date.month},{date.day},{number % 24 + 1},60,A7,{temperature(number)},1,80,100000,0,0,300,0,0,0,0,0,"
-                     f"0,0,{direction(number)},{speed(number)},5,5,20,77777,9,999999999,0,0.05,0,88\n")
-    return "".join(lines)
 
 
 def mixed(number):
@@ -216,6 +200,60 @@ class Climate(BoxCase):
         self.assertIn("[climate]\n", config.read_text())
         found = self.report("--config", config)
         self.assertEqual(found["hours"]["filter"], "18 to 26 °C, months 4-9")
+
+    def reader(self, file=None):
+        reader = atria.vtkAtriaWeatherReader()
+        reader.SetFileName(str(file or self.weather))
+        return reader
+
+    def test_the_reader_makes_the_table_of_the_command_line(self):
+        for arguments, change in (((), lambda reader: None),
+                                  (("--temperature", 18, 26), lambda reader: (reader.UseTemperatureRangeOn(), reader.SetTemperatureRange(18, 26))),
+                                  (("--hours", 22, 6, "--months", "12-2"), lambda reader: (reader.SetHours(22, 6), reader.SetMonths("12-2"))),
+                                  (("--season", "summer", "--sectors", 36), lambda reader: (reader.SetSeason(reader.Summer), reader.SetSectors(36))),
+                                  (("--calm", 2.5), lambda reader: reader.SetCalmSpeed(2.5))):
+            reader, wanted = self.reader(), self.report(*arguments)
+            change(reader)
+            reader.Update()
+            table, fields = reader.GetOutput(), reader.GetOutput().GetFieldData()
+            self.assertEqual([table.GetColumnName(i) for i in range(table.GetNumberOfColumns())], ["from", "frequency", "scale", "shape"])
+            for name in ("from", "frequency", "scale", "shape"):
+                self.assertEqual(list(vtk_to_numpy(table.GetColumnByName(name))), [s[name] for s in wanted["sectors"]], arguments)
+            value = lambda name: fields.GetAbstractArray(name).GetValue(0)
+            self.assertEqual(value("StationName"), "Port & Town, AUS")
+            self.assertEqual([value("Latitude"), value("Longitude"), value("Elevation")], [-33.9, 150.2, 12.5])
+            self.assertEqual([value("HoursRead"), value("HoursKept")], [8760, wanted["hours"]["kept"]])
+            self.assertEqual([value("VentilationHours"), value("VentilationHoursKnown")],
+                             [wanted["ventilation"]["hours"], wanted["ventilation"]["of"]])
+            self.assertEqual([value("CalmHours"), value("MeanSpeed")], [wanted["wind"]["calms"], wanted["wind"]["mean_speed"]])
+
+    def test_the_reader_names_file_and_line(self):
+        bad = self.folder / "hot.epw"
+        bad.write_text(self.weather.read_text().replace(",A7,22.0,", ",A7,295.15,"))
+        with self.assertRaisesRegex(atria.Error, r"hot.epw:9: the dry-bulb temperature, 295.15 C, is not from -70 to 70"):
+            self.reader(bad).Update()
+        self.assertRaisesRegex(atria.Error, "FileName is not set", atria.vtkAtriaWeatherReader().Update)
+        for change, text in ((lambda reader: (reader.UseTemperatureRangeOn(), reader.SetTemperatureRange(60, 70)),
+                              "town.epw: no hour has a temperature from 60 to 70 C; the file has 17.9 to 26.1 C"),
+                             (lambda reader: reader.SetTemperatureRange(26, 18), "the lower one comes first"),
+                             (lambda reader: reader.SetTemperatureRange(math.nan, 18), "TemperatureRange is nan"),
+                             (lambda reader: reader.SetHours(8, 25), "Hours is 25"),
+                             (lambda reader: reader.SetHours(8, 8), "no hours"),
+                             (lambda reader: reader.SetMonths("april"), "names no months"),
+                             (lambda reader: (reader.SetSeason(reader.Summer), reader.SetMonths("4-9")), "exclude each other")):
+            reader = self.reader()
+            change(reader)
+            self.assertRaisesRegex(atria.Error, text, reader.Update)
+            self.assertEqual(reader.GetOutput().GetNumberOfRows(), 0)
+
+    def test_the_reader_knows_weather_by_its_beginning(self):
+        tmy3 = self.folder / "tmy3.csv"
+        tmy3.write_text('700000,"CITY",ST,1.0,50,8,10\nDate (MM/DD/YYYY),Time (HH:MM)\n')
+        table = self.folder / "other.csv"
+        table.write_text("from,frequency,scale,shape\n0,1,4,2\n")
+        can_read = atria.vtkAtriaWeatherReader.CanReadFile
+        self.assertEqual([can_read(str(file)) for file in (self.weather, tmy3, table, self.folder, self.folder / "absent.epw")],
+                         [True, True, False, False, False])
 
 
 if __name__ == "__main__":

@@ -18,6 +18,7 @@ from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridWriter
 
 import atria
+from weather_year import epw
 
 MODEL = sys.argv[1]
 INTERPRETER = sys.argv[2] if len(sys.argv) > 2 else sys.executable
@@ -60,6 +61,9 @@ def runnable(cls):
     instance = cls()
     if cls is atria.vtkAtriaModelReader:
         instance.SetFileName(str(pathlib.Path(FOLDER.name) / "model.stl"))
+        return instance
+    if cls is atria.vtkAtriaWeatherReader:
+        instance.SetFileName(str(pathlib.Path(FOLDER.name) / "year.epw"))
         return instance
     if issubclass(cls, atria.vtkAtriaMeshWriter):
         set_target = instance.SetCaseDirectory if hasattr(instance, "SetCaseDirectory") else instance.SetFileName
@@ -217,6 +221,8 @@ class Ranges(unittest.TestCase):
         stl.SetInputConnection(sphere.GetOutputPort())
         stl.SetFileName(str(pathlib.Path(FOLDER.name) / "model.stl"))
         stl.Write()
+        year = epw(lambda number: 20.0, lambda number: number % 12 * 30, lambda number: 3.0)
+        (pathlib.Path(FOLDER.name) / "year.epw").write_text(year)
         checked = 0
         for cls in classes():
             runnable(cls).Update()

@@ -9,12 +9,14 @@ import vtk
 import atria
 from atria import (
     vtkAtriaDualMesher, vtkAtriaFeatureGraph, vtkAtriaMeshOptimizer, vtkAtriaMeshQuality, vtkAtriaOctreeSource,
-    vtkAtriaOpenFOAMWriter, vtkAtriaPreflight, vtkAtriaVRMLReader, vtkAtriaWorstElements,
+    vtkAtriaOpenFOAMWriter, vtkAtriaPreflight, vtkAtriaVRMLReader, vtkAtriaWeatherReader,
+    vtkAtriaWorstElements,
 )
 
 for cls in (
     vtkAtriaDualMesher, vtkAtriaFeatureGraph, vtkAtriaMeshOptimizer, vtkAtriaMeshQuality, vtkAtriaOctreeSource,
-    vtkAtriaOpenFOAMWriter, vtkAtriaPreflight, vtkAtriaVRMLReader, vtkAtriaWorstElements,
+    vtkAtriaOpenFOAMWriter, vtkAtriaPreflight, vtkAtriaVRMLReader, vtkAtriaWeatherReader,
+    vtkAtriaWorstElements,
 ):
     instance = cls()
     assert isinstance(instance, vtk.vtkAlgorithm), cls
