@@ -7,9 +7,6 @@
 #include <vtkAtriaOpenFOAMCaseWriter.h>
 #include <vtkNew.h>
 
-#include <ClimateTable.h>
-#include <Support/Error.h>
-
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -260,26 +257,20 @@ int numberOf(const Words& words, const std::string& word)
   return static_cast<int>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 
-/// Sets where the wind comes from: equal steps, directions of a table, or single ones. Throws Failure for a table that
-/// cannot be read.
+/// Sets where the wind comes from: equal steps, a table, or single directions.
 void setDirections(vtkAtriaOpenFOAMCaseWriter* writer, const CaseOptions& options)
 {
-  const std::optional<int> steps = options.rose.empty() ? 0 : roseNumber(options.rose);
-  std::vector<double> origins = options.from;
-  try
+  if (!options.rose.empty())
   {
-    origins = steps ? origins : weather::directionsOf(weather::readClimateTable(options.rose));
+    const std::optional<int> steps = roseNumber(options.rose);
+    writer->SetNumberOfRoseDirections(steps.value_or(0));
+    writer->SetRoseFileName(steps ? nullptr : options.rose.c_str());
   }
-  catch (const Error& error)
-  {
-    throw Failure(BadInput, std::string("--rose: ") + error.what());
-  }
-  writer->SetNumberOfRoseDirections(steps.value_or(0));
   for (const double angle : options.wind)
   {
     writer->AddWindAngle(angle);
   }
-  for (const double from : origins)
+  for (const double from : options.from)
   {
     writer->AddWindAngle(std::remainder(270.0 + options.north - from, 360.0));
   }

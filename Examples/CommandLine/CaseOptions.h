@@ -48,7 +48,7 @@ struct CaseOptions
 /// Declares all options but --config.
 void declareCaseOptions(CLI::App& command, CaseOptions& options);
 
-/// Sets all properties of the writer. Throws Failure(BadInput) for a table of directions that cannot be read.
+/// Sets all properties of the writer.
 void configureCase(vtkAtriaOpenFOAMCaseWriter* writer, const CaseOptions& options, const CLI::App& command);
 
 } // namespace atria::tool

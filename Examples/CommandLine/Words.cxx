@@ -88,6 +88,7 @@ constexpr std::array optionOf{
     std::pair{"RoughnessLength", "--roughness"},
     std::pair{"WindAngles", "--wind"},
     std::pair{"NumberOfRoseDirections", "--rose"},
+    std::pair{"RoseFileName", "--rose"},
     std::pair{"NorthAngle", "--north"},
     std::pair{"TurbulenceModel", "--turbulence"},
     std::pair{"Season is", "--season is"},

@@ -19,7 +19,8 @@ _ECHO = re.compile(r"Algorithm \w+ ?\(.*\) returned failure for request")
 
 _RUN = (
     "Update", "UpdateInformation", "UpdateDataObject", "UpdateWholeExtent", "UpdateExtent", "UpdatePiece",
-    "UpdateTimeStep", "PropagateUpdateExtent", "Write", "Estimate", "EstimateLayerElements", "CompleteSizes", "SuggestSizes",
+    "UpdateTimeStep", "PropagateUpdateExtent", "Write", "WriteForMesh",
+    "Estimate", "EstimateLayerElements", "CompleteSizes", "SuggestSizes",
 )
 _ACCESS = ("Set", "Get", "Add", "Remove")
 

@@ -2,6 +2,7 @@
 #include "vtkAtriaOpenFOAMCaseWriter.h"
 
 #include "AlgorithmProgress.h"
+#include "ClimateTable.h"
 #include "FlowCase.h"
 #include "GroundRoughness.h"
 #include "OpenFOAMCase.h"
@@ -9,6 +10,7 @@
 #include "PropertyLists.h"
 #include "PropertyRange.h"
 #include "Support/Error.h"
+#include "WindProfile.h"
 
 #include <vtkErrorCode.h>
 #include <vtkObjectFactory.h>
@@ -37,6 +39,24 @@ void printRules(ostream& os, vtkIndent indent, const char* name, const std::vect
   for (const std::string& rule : rules)
   {
     os << indent << name << ": " << rule << "\n";
+  }
+}
+
+/// Returns where the wind of a climate's table blows to, degrees from x. Throws Error.
+std::vector<double> directionsIn(const std::string& table, double north)
+{
+  try
+  {
+    std::vector<double> towards;
+    for (const double from : atria::weather::directionsOf(atria::weather::readClimateTable(table)))
+    {
+      towards.push_back(atria::windTowards(from, north));
+    }
+    return towards;
+  }
+  catch (const atria::Error& error)
+  {
+    throw atria::Error(std::string("RoseFileName: ") + error.what());
   }
 }
 
@@ -72,7 +92,11 @@ void copyMesh(const fs::path& source, const fs::path& target)
 
 vtkAtriaOpenFOAMCaseWriter::vtkAtriaOpenFOAMCaseWriter() = default;
 
-vtkAtriaOpenFOAMCaseWriter::~vtkAtriaOpenFOAMCaseWriter() { delete[] this->TreeFile; }
+vtkAtriaOpenFOAMCaseWriter::~vtkAtriaOpenFOAMCaseWriter()
+{
+  delete[] this->RoseFileName;
+  delete[] this->TreeFile;
+}
 
 void vtkAtriaOpenFOAMCaseWriter::AddWindAngle(double degrees)
 {
@@ -135,6 +159,8 @@ void vtkAtriaOpenFOAMCaseWriter::RemoveAllGroundRules() { atria::removeAll(*this
 int vtkAtriaOpenFOAMCaseWriter::GetNumberOfGroundRules() { return atria::numberOf(this->GroundRules); }
 std::string vtkAtriaOpenFOAMCaseWriter::GetGroundRule(int i) { return atria::entryAt(this->GroundRules, i); }
 
+bool vtkAtriaOpenFOAMCaseWriter::HasRoseFile() const { return this->RoseFileName && *this->RoseFileName; }
+
 void vtkAtriaOpenFOAMCaseWriter::CheckProperties()
 {
   this->Superclass::CheckProperties();
@@ -161,6 +187,10 @@ void vtkAtriaOpenFOAMCaseWriter::CheckProperties()
   {
     atria::checkRange("WindAngle", angle, -360.0, 360.0);
   }
+  if (this->HasRoseFile() && (this->NumberOfRoseDirections > 0 || !this->WindAngles.empty()))
+  {
+    throw atria::Error("RoseFileName excludes NumberOfRoseDirections and WindAngles: give one of them");
+  }
 }
 
 atria::FlowCaseSettings vtkAtriaOpenFOAMCaseWriter::GetSettings()
@@ -175,6 +205,10 @@ atria::FlowCaseSettings vtkAtriaOpenFOAMCaseWriter::GetSettings()
   if (this->NumberOfRoseDirections > 0)
   {
     settings.directions = atria::windRose(this->NumberOfRoseDirections, this->NorthAngle);
+  }
+  if (this->HasRoseFile())
+  {
+    settings.directions = directionsIn(this->RoseFileName, this->NorthAngle);
   }
   settings.turbulence = static_cast<atria::TurbulenceModel>(this->TurbulenceModel);
   settings.dialect = static_cast<atria::OpenFOAMDialect>(this->Dialect);
@@ -276,6 +310,7 @@ void vtkAtriaOpenFOAMCaseWriter::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << angle;
   }
   os << "\n" << indent << "NumberOfRoseDirections: " << this->NumberOfRoseDirections << "\n";
+  os << indent << "RoseFileName: " << (this->RoseFileName ? this->RoseFileName : "(none)") << "\n";
   os << indent << "NorthAngle: " << this->NorthAngle << "\n";
   os << indent << "TurbulenceModel: " << this->TurbulenceModel << "\n";
   os << indent << "Dialect: " << this->Dialect << "\n";

@@ -158,6 +158,17 @@ public:
 
   ///@{
   /**
+   * Table of the wind's climate, as `atria climate` and vtkAtriaWeatherReader make it: a .csv with the columns from
+   * (degrees clockwise from north), frequency, scale and shape, or a .json list of objects with these keys. Runs for
+   * the directions with a frequency above 0, in place of WindAngles and NumberOfRoseDirections; with any of these it is
+   * an error. No default.
+   */
+  vtkSetFilePathMacro(RoseFileName);
+  vtkGetFilePathMacro(RoseFileName);
+  ///@}
+
+  ///@{
+  /**
    * Direction of north, degrees from y, counterclockwise from above. Default 0.
    */
   vtkAtriaSetInRangeMacro(NorthAngle, double, -360.0, 360.0);
@@ -405,6 +416,7 @@ private:
   void CheckProperties() override;
   void WriteFlow(const char* source);
   atria::FlowCaseSettings GetSettings();
+  bool HasRoseFile() const;
 
   int Kind = Automatic;
   int InletQuantity = BySpeed;
@@ -417,6 +429,7 @@ private:
   double RoughnessLength = 0.1;
   std::vector<double> WindAngles;
   int NumberOfRoseDirections = 0;
+  char* RoseFileName = nullptr;
   double NorthAngle = 0.0;
   int TurbulenceModel = RealizableKEpsilon;
   int Dialect = OpenCFD1912;

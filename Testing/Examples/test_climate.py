@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """atria climate: what it prints and writes, what it refuses, and that `atria report` and `atria case` take its table.
-VTK's reader of weather makes the same table.
+VTK's reader of weather makes the same table, and the writer of cases takes it.
 
 Usage: test_climate.py ATRIA
 """
@@ -16,6 +16,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOCore import vtkDelimitedTextWriter
 
 import atria
 from atria.report import comfort, read_climate
@@ -254,6 +255,35 @@ class Climate(BoxCase):
         can_read = atria.vtkAtriaWeatherReader.CanReadFile
         self.assertEqual([can_read(str(file)) for file in (self.weather, tmy3, table, self.folder, self.folder / "absent.epw")],
                          [True, True, False, False, False])
+
+    def test_the_writer_takes_the_table(self):
+        table = self.folder / "of_vtk.csv"
+        text = vtkDelimitedTextWriter()
+        reader = self.reader()
+        text.SetInputConnection(reader.GetOutputPort())
+        text.SetFileName(str(table))
+        text.Write()
+
+        def written(name, change=lambda writer: None):
+            writer = atria.vtkAtriaOpenFOAMCaseWriter()
+            writer.SetCaseDirectory(str(self.folder / name))
+            writer.SetNorthAngle(10.0)
+            writer.SetRoseFileName(str(table))
+            change(writer)
+            writer.WriteForMesh(str(self.box))
+            return json.loads((self.folder / name / "case.json").read_text())["directions"]
+
+        self.assertEqual([round(d["from"], 9) for d in written("by_vtk")], [d for d in range(0, 360, 30) if d != 150])
+        twice = self.folder / "twice.csv"
+        twice.write_text("from,frequency,scale,shape\n0,0.5,4,2\n360,0.5,4,2\n")
+        for change, wanted in ((lambda writer: writer.SetNumberOfRoseDirections(8), "RoseFileName excludes"),
+                               (lambda writer: writer.AddWindAngle(0.0), "RoseFileName excludes"),
+                               (lambda writer: writer.SetRoseFileName(str(twice)), "RoseFileName: .*sector 2: sector 1 has the direction 0"),
+                               (lambda writer: writer.SetRoseFileName(str(self.weather)), "is a weather file and no table"),
+                               (lambda writer: writer.SetRoseFileName("absent.csv"), "'absent.csv' does not exist")):
+            with self.assertRaisesRegex(atria.Error, wanted):
+                written("refused", change)
+        self.assertFalse((self.folder / "refused").exists())
 
 
 if __name__ == "__main__":
