@@ -44,6 +44,7 @@ class Row:
     sides: int = 4  # upright ones of the domain
     angle: float = 0.0  # of building, domain and wind against the grid, degrees
     mesher: str = "atria"
+    hexahedra: bool = False  # no other elements
     most_iterations: int = 500  # limiters keep residuals from falling without end; the air changes settle far earlier
 
 
@@ -101,12 +102,15 @@ MESHERS = [Row("layers0_uniform", far=2.0, layers=0), Row("layers0", layers=0),
            Row("snappy_far8", layers=0, mesher="snappyHexMesh")]
 LAYERED_MESHERS = [Row("far8"), *(Row(f"snappy_layers{n}", layers=n, mesher="snappyHexMesh", most_iterations=FEW) for n in (1, 5)),
                    Row("layers5", layers=5)]
+HEXAHEDRA = [Row("far8"), Row("hexahedra", hexahedra=True, most_iterations=FEW),
+             Row("turned_far8", angle=17.0, most_iterations=FEW),
+             Row("turned_hexahedra", angle=17.0, hexahedra=True, most_iterations=FEW)]
 WARM = [WarmRow("warm_calm", speed=0.0), WarmRow("warm_wind1", speed=1.0), WarmRow("warm_wind4"),
         WarmRow("cold_wind4", heat=0.001)]  # as good as none, but with the schemes of warm air
 YEAR = YearRow("year")
 TABLES = {"Uniform and adaptive": FAR, "At 1.5 m": ONE_AND_A_HALF, "Across the grid": TURNED, "Finer": FINER,
           "Domains": DOMAINS, "Box and prism": PRISMS, "Layers": LAYERS, "snappyHexMesh": MESHERS,
-          "snappyHexMesh with layers": LAYERED_MESHERS}
+          "snappyHexMesh with layers": LAYERED_MESHERS, "Hexahedra only": HEXAHEDRA}
 
 
 def rows():
@@ -136,6 +140,8 @@ def mesh_by_atria(atria, row, model, folder):
     if row.near:
         (x0, y0), (x1, y1) = bounds_about_building(row.near, row.angle)
         command += ["--refine-box", x0, x1, y0, y1, 0.0, make_building.HEIGHT + row.near, row.finest]
+    if row.hexahedra:
+        command += ["--hex"]
     if row.layers == 0:
         command += ["--no-support"]  # nor where elements cannot be valid without: these rows tell what a layer changes
     if row.ground_layer:

@@ -7,13 +7,15 @@ Usage: test_arrays.py docs/arrays.md MODEL.wrl
 import pathlib
 import re
 import sys
+import tempfile
 
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkTable
 
 from atria import (
     vtkAtriaDualMesher, vtkAtriaFeatureGraph, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaPreflight,
-    vtkAtriaVRMLReader, vtkAtriaWorstElements,
+    vtkAtriaVRMLReader, vtkAtriaWeatherReader, vtkAtriaWorstElements,
 )
+from weather_year import epw
 
 
 def documented(file):
@@ -39,6 +41,23 @@ def names_of(data):
     }
 
 
+def fields_of(data):
+    """Names of all field arrays, also of those of texts."""
+    fields = data.GetFieldData()
+    return {fields.GetAbstractArray(i).GetName() for i in range(fields.GetNumberOfArrays())}
+
+
+def climate():
+    """All that the reader of weather files makes."""
+    with tempfile.TemporaryDirectory() as scratch:
+        file = pathlib.Path(scratch) / "year.epw"
+        file.write_text(epw(lambda hour: 20.0, lambda hour: 10.0 * (hour % 36), lambda hour: 1.0 + hour % 7))
+        reader = vtkAtriaWeatherReader()
+        reader.SetFileName(str(file))
+        reader.Update()
+        return names_of(reader.GetOutput()) | fields_of(reader.GetOutput())
+
+
 def outputs(model):
     reader = vtkAtriaVRMLReader()
     reader.SetFileName(model)
@@ -59,8 +78,6 @@ def outputs(model):
     octree.Update()
     preflight.Update()
     report = preflight.GetOutput()
-    fields = {report.GetFieldData().GetArrayName(i) or report.GetFieldData().GetAbstractArray(i).GetName()
-              for i in range(report.GetFieldData().GetNumberOfArrays())}
     worst.Update()
     mesh = names_of(mesher.GetOutputDataObject(0))
     zoned = vtkAtriaDualMesher()  # with all that is there where openings and zones are asked for only
@@ -81,8 +98,9 @@ def outputs(model):
         "Mesh": mesh | names_of(zoned.GetOutputDataObject(0)),
         "Patches": names_of(mesher.GetOutputDataObject(1)) | names_of(zoned.GetOutputDataObject(1)),
         "Diagnostics": names_of(mesher.GetOutputDataObject(2)) | names_of(zoned.GetOutputDataObject(2)),
-        "Preflight": names_of(report) | fields,
+        "Preflight": names_of(report) | fields_of(report),
         "Quality": (names_of(quality.GetOutput()) - mesh) | names_of(quality.GetSummary()) | names_of(quality.GetChecks()),
+        "Climate": climate(),
         "Worst elements": names_of(worst.GetOutput()) - names_of(quality.GetOutput()),
     }
 
