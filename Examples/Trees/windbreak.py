@@ -32,7 +32,6 @@ from kept_rows import command_line, go_on, known, lines_of, run  # noqa: E402
 HEIGHT, DEPTH = 16.5, 8.0
 WIDTH = 4.0  # of the domain, meters
 MEASURED_AT = 2.0  # meters above the ground
-DRAG = 0.2  # of leaves
 SPEED, ROUGHNESS = 5.0, 0.03  # m/s at 10 m; meters, of grass
 DOMAIN = ((-250.0, 500.0), (0.0, WIDTH), (0.0, 130.0))
 NEAR = ((-30.0, 270.0), (0.0, WIDTH), (0.0, 25.0))  # where elements are finest
@@ -44,13 +43,14 @@ PROFILE = tuple(0.25 * HEIGHT * i for i in range(1, 61))
 class Row:
     name: str
     porosity: float  # 1 without trees
+    drag: float = 0.2  # coefficient of the leaves
     finest: float = 1.0  # meters
     turbulence: str = "k-epsilon"
     iterations: int = 600
 
 
 OPEN = Row("open", 1.0)
-ROWS = [OPEN, Row("porosity30", 0.3), Row("porosity10", 0.1), Row("porosity1", 0.01)]
+ROWS = [OPEN, Row("porosity30", 0.3), Row("porosity10", 0.1), Row("porosity1", 0.01), Row("porosity10_drag5", 0.1, drag=0.5), Row("porosity1_drag5", 0.01, drag=0.5)]
 
 
 def leaf_area_density(row):
@@ -76,7 +76,7 @@ def mesh(atria, row, folder):
 
 
 def case_command(atria, row, folder):
-    leaves = ["--canopy", "Trees", f"{leaf_area_density(row):.4g}", DRAG] if row.porosity < 1.0 else []
+    leaves = ["--canopy", "Trees", f"{leaf_area_density(row):.4g}", row.drag] if row.porosity < 1.0 else []
     return [atria, "case", folder / "mesh.vtu", "-o", folder / "case", "--wind", 0, "--speed", SPEED, "--roughness", ROUGHNESS, *leaves,
             "--turbulence", row.turbulence, "--iterations", row.iterations]
 
