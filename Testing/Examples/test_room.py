@@ -343,7 +343,7 @@ class Room(unittest.TestCase):
             self.assertIn(f"atria: warning: room: {text}", said)
             self.assertIn(text, doubts)
         self.assertIn("Run more iterations, and do not use its values before", said)
-        self.assertIn("Means of CO2 and the age of air are those of the last iteration, 15; the case does not measure them before.", page)
+        self.assertIn("Means of the age of air are those of the last iteration, 15; the case does not measure them before.", page)
 
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_an_inlet_blows_into_its_room(self):

@@ -289,7 +289,7 @@ class WarmAir(unittest.TestCase):
         self.assertAlmostEqual(run.warmth.everywhere.values[-1], warmest, delta=0.2 * (warmest - 20.0))
         page = (folder / "report.html").read_text()
         for text in ("<p>20 s, ", "CO2 has not settled", "the age of air has not settled",
-                     "Means of CO2 and the age of air are those of the last time, 20 s"):
+                     "Means of the age of air are those of the last time, 20 s"):
             self.assertIn(text, page)
         self.assertNotIn("more iterations", page)
         self.assertNotRegex(page, r"e[+-]\d\d %")
