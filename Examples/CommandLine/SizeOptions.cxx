@@ -86,8 +86,10 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options)
       ->capture_default_str()
       ->check(numberIn(filter->GetCellsPerLevelMinValue(), filter->GetCellsPerLevelMaxValue()))
       ->type_name("N");
-  command.add_flag("--hex", options.hexahedra,
-                   "Make hexahedra only; surfaces that are connected have elements of one size, the finest there");
+  command.add_flag(
+      "--hex", options.hexahedra,
+      "Make hexahedra only; surfaces that are connected have elements of one size, the finest there, and all walls "
+      "have the most layers that any has, one at least");
   command
       .add_option(
           "--max-elements", options.maxElements,

@@ -44,7 +44,7 @@ void refuseCells(std::span<const unsigned char> types, std::initializer_list<Cel
   if (!found.empty())
   {
     throw Error("the format has no place for " + found + " among the mesh's " + std::to_string(types.size()) +
-                " elements; mesh with ElementType Hexahedral, or write another format");
+                " elements; mesh with ElementType Hexahedral and few layers, or write another format");
   }
 }
 

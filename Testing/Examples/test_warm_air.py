@@ -299,7 +299,7 @@ class WarmAir(unittest.TestCase):
         """Where a case measures means of what the air carries."""
         for name in ("CO2", "age"):
             file = folder / f"postProcessing/mean{name}_hall/0/volFieldValue.dat"
-            file.parent.mkdir(parents=True)
+            file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text("".join(f"{i} {i}\n" for i in range(1, 102)))
             run = Case(folder).runs[0]
             self.assertEqual(run.mean_of("hall", name), 91.0)

@@ -338,7 +338,7 @@ TEST_F(ElementWriters, PolyhedraAndPyramidsAreRefusedWithTheirNumber)
   EXPECT_EQ(write(gmsh, "mesh.msh"), 0);
   EXPECT_THAT(messages.takeErrors(),
               ::testing::Contains(AllOf(HasSubstr("no place for " + polyhedra + " polyhedra among"),
-                                        HasSubstr("ElementType Hexahedral, or write another format"))));
+                                        HasSubstr("ElementType Hexahedral and few layers, or write another format"))));
   vtkNew<vtkAtriaAbaqusWriter> abaqus;
   EXPECT_EQ(write(abaqus, "mesh.inp"), 0);
   EXPECT_THAT(messages.takeErrors(), ::testing::Contains(HasSubstr("no place for " + polyhedra + " polyhedra and " +

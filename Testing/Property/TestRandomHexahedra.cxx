@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What holds of every mesh of hexahedra, on random octrees, random soups and closed solids.
+#include "Layer/LayerHeights.h"
 #include "Mesher/DualMesher.h"
 #include "Octree/Tree/Balance.h"
 #include "Support/Campaign.h"
@@ -155,6 +156,25 @@ TEST(RandomHexahedra, MeshSoups)
 }
 
 /// Layers go round tubes in front of the edges of open triangles, which cross each other, too.
+TEST(Hexahedra, HaveAsManyLayersAsFitTheFinestElements)
+{
+  TriangleSurface sheet;
+  addSheet(sheet, "Sheet", Vec3(-1.1, -0.9, 0.1), Vec3(2.0, 0.0, 0.0), Vec3(0.0, 1.8, 0.0));
+  GridOptions grid;
+  grid.domain = {Vec3::Constant(-4.0), Vec3::Constant(4.0)};
+  grid.sizeMin = grid.sizeMid = 0.5;
+  grid.sizeMax = 1.0;
+  DualMeshOptions options;
+  options.hexahedra = true;
+  WallLayers layers{WallLayers::asManyAsFit, 0.05, 1.3};
+  options.layers = {{"*", layers}};
+  const Meshed fitting = meshIt(sheet, grid, options);
+  layers.layers = fitted(layers, 0.5).layers;
+  EXPECT_LT(layers.layers, 6);
+  options.layers = {{"*", layers}};
+  EXPECT_TRUE(identical(fitting.mesh(), meshIt(sheet, grid, options).mesh()));
+}
+
 TEST(RandomHexahedra, MeshSoupsWithALayer)
 {
   for (unsigned seed = 0; seed < static_cast<unsigned>(campaign(4, 100)); ++seed)

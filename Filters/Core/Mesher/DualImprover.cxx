@@ -4,6 +4,7 @@
 #include "Dual/Mesh/Sheets.h"
 #include "Dual/Vertices/TurnedDomain.h"
 #include "Layer/EdgeTubes.h"
+#include "Layer/LayerHeights.h"
 #include "Mesher/Blocks/BlockImprover.h"
 #include "Mesher/Improvement/CurveJogs.h"
 #include "Mesher/Improvement/ElementsToLeaveOut.h"
@@ -114,13 +115,14 @@ void support(bool onGround, bool isTurned, LayerOptions& options)
 }
 
 /// Gives all walls and sides as many layers as the wall with most, one at least. So layers end nowhere, and prisms are
-/// hexahedra. Sides need a layer where sizes change: they cut octants so that elements would be flat.
-void layerAll(LayerOptions& options)
+/// hexahedra. Sides need a layer where sizes change: they cut octants so that elements would be flat. As many as fit
+/// are those beside the finest elements.
+void layerAll(LayerOptions& options, double finestSize)
 {
   int most = 1;
   for (const WallLayers& wall : options.ofTag)
   {
-    most = std::max(most, wall.layers);
+    most = std::max(most, fitted(wall, finestSize).layers);
   }
   options.wraps = true;
   options.supporting.assign(options.ofTag.size(), SupportingLayer::none);
@@ -154,7 +156,7 @@ LayerOptions layerOptionsOf(const WallOptions& wallOptions, bool onGround, bool 
   options.ofTag = resolveLayerRules(wallOptions.layers, context.model.names);
   if (hexahedra)
   {
-    layerAll(options);
+    layerAll(options, context.octree.frame().sizeOf(context.octree.maximumLevel()));
   }
   else if (wallOptions.supportElements)
   {
