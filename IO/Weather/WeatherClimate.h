@@ -35,7 +35,7 @@ struct Climate
   std::size_t kept = 0;          ///< hours that the rose is made of
   TemperatureRange ventilation;  ///< temperatures that allow natural ventilation
   TemperatureCount ventilated;   ///< among hours that are kept but for their temperatures
-  WindRose rose;                 ///< of the hours kept
+  WindRose rose;                 ///< over the hours kept
   bool hasUnevenSectors = false; ///< see dividesRoundedDirections()
 };
 
