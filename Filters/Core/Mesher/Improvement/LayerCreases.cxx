@@ -110,6 +110,8 @@ void addCreaseSheets(ImproverState& state)
   LayerMesh best = state.layer;
   const double wantedJacobian = wantedOfCreaseSheets(state.traits).jacobianLimit;
   Goodness bestOf = goodnessOf(before.mesh, wantedJacobian, state.context);
+  const bool hasTubes = std::ranges::find(state.walls.roles, FaceRole::tube) != state.walls.roles.end();
+  bool isDone = false;
   for (const double width : creaseWidths)
   {
     state.layer = before;
@@ -132,10 +134,12 @@ void addCreaseSheets(ImproverState& state)
     {
       best = std::move(state.layer);
       bestOf = its;
-      if (its.poor == 0 || state.traits.wraps)
-      {
-        break;
-      }
+      isDone = its.poor == 0 || state.traits.wraps;
+    }
+    // Around tubes another width hardly helps where one did not, and takes minutes.
+    if (isDone || hasTubes)
+    {
+      break;
     }
   }
   state.layer = std::move(best);
