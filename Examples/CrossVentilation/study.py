@@ -21,7 +21,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Study"))
 import make_building  # noqa: E402
 import numpy  # noqa: E402
 from convergence import TENDENCY, tendency  # noqa: E402
-from kept_rows import Failed, command_line, go_on, known, lines_of, run  # noqa: E402
+from kept_rows import Failed, command_line, known, lines_of, run  # noqa: E402
 
 SPEED, ROUGHNESS = 6.97, 2.5e-5  # of the wind at the height of the roof, m/s, and of the tunnel's floor, meters
 GROUND, FAR = 2, 4  # sizes on the ground and far away of adaptive meshes, in finest sizes
@@ -143,10 +143,5 @@ def tables(out):
             f"{lines_of(('meshes', *TENDENCY), convergences(out))}\n")
 
 
-def main(atria, out, *names):
-    atria = pathlib.Path(atria).resolve()
-    return go_on(lambda row, folder: make(atria, row, folder), rows(), tables, out, names)
-
-
 if __name__ == "__main__":
-    command_line(main, rows(), __doc__)
+    command_line(make, rows(), tables, __doc__)

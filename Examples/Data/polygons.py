@@ -2,6 +2,7 @@
 """Polygons as lists of points. Shared by the scripts that make the example models."""
 
 import math
+import pathlib
 
 
 def with_points_in_between(surfaces):
@@ -42,3 +43,21 @@ def area(polygon):
             j, k = (axis + 1) % 3, (axis + 2) % 3
             total[axis] += p[j] * q[k] - p[k] * q[j]
     return 0.5 * math.hypot(*total)
+
+
+def box(bounds):
+    """Polygons of a box, by its least and greatest x, y and z."""
+    points = [tuple(bounds[axis][i >> axis & 1] for axis in range(3)) for i in range(8)]
+    return [[points[i] for i in face] for face in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))]
+
+
+def write_obj(file, named):
+    """Writes polygons by name as Wavefront OBJ."""
+    lines, count = [], 0
+    for name, polygons in named.items():
+        lines.append(f"o {name}")
+        for polygon in polygons:
+            lines += ["v {:g} {:g} {:g}".format(*point) for point in polygon]
+            lines.append("f " + " ".join(str(count + i + 1) for i in range(len(polygon))))
+            count += len(polygon)
+    pathlib.Path(file).write_text("\n".join(lines) + "\n", encoding="utf-8")

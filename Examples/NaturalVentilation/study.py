@@ -21,7 +21,7 @@ import make_building  # noqa: E402
 import snappy  # noqa: E402
 import warm_rooms  # noqa: E402
 import year  # noqa: E402
-from kept_rows import Failed, command_line, go_on, known, lines_of, run  # noqa: E402
+from kept_rows import Failed, command_line, known, lines_of, run  # noqa: E402
 
 SPEED = 4.0  # of the wind, m/s
 WIND = ("--height", "10", "--roughness", "0.1")
@@ -231,10 +231,5 @@ def tables(out):
     return "\n".join(text)
 
 
-def main(atria, out, *names):
-    atria = pathlib.Path(atria).resolve()
-    return go_on(lambda row, folder: make(atria, row, folder), rows(), tables, out, names)
-
-
 if __name__ == "__main__":
-    command_line(main, rows(), __doc__)
+    command_line(make, rows(), tables, __doc__)

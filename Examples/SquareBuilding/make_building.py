@@ -13,7 +13,7 @@ import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Data"))
 
-from polygons import tunnel_floor  # noqa: E402
+from polygons import box, tunnel_floor  # noqa: E402
 from vrml_text import surface  # noqa: E402
 
 WIDTH = 0.08  # b
@@ -23,16 +23,8 @@ DOMAIN = ((-4 * WIDTH, 8 * WIDTH), (0.0, 3 * WIDTH), (0.0, 5 * WIDTH))
 NEAR = ((-WIDTH, 3.5 * WIDTH), (0.0, 1.25 * WIDTH), (0.0, 2.75 * WIDTH))
 
 
-def box(xs, ys, zs):
-    """A closed solid, faces outward."""
-    (x0, x1), (y0, y1), (z0, z1) = xs, ys, zs
-    floor = [(x0, y0), (x0, y1), (x1, y1), (x1, y0)]
-    sides = [[(*a, z0), (*b, z0), (*b, z1), (*a, z1)] for a, b in zip(floor[1:] + floor[:1], floor)]
-    return [[(*p, z0) for p in floor], [(*p, z1) for p in floor[::-1]], *sides]
-
-
 def building():
-    return box((-WIDTH / 2, WIDTH / 2), (-WIDTH / 2, WIDTH / 2), (0.0, HEIGHT))
+    return box(((-WIDTH / 2, WIDTH / 2), (-WIDTH / 2, WIDTH / 2), (0.0, HEIGHT)))
 
 
 def main(file, with_building=True):

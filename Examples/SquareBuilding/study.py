@@ -21,7 +21,7 @@ import make_building  # noqa: E402
 import reference  # noqa: E402
 import snappy  # noqa: E402
 from convergence import TENDENCY, tendency  # noqa: E402
-from kept_rows import command_line, go_on, known, lines_of, run  # noqa: E402
+from kept_rows import command_line, known, lines_of, run  # noqa: E402
 
 B = make_building.WIDTH
 GROUND, FAR = 2, 4  # sizes on the ground and far away of adaptive meshes, in finest sizes
@@ -195,10 +195,5 @@ def tables(out):
     return "\n".join(f"## {title}\n\n{table}\n" for title, table in parts)
 
 
-def main(atria, out, *names):
-    atria = pathlib.Path(atria).resolve()
-    return go_on(lambda row, folder: make(atria, row, folder), rows(), tables, out, names)
-
-
 if __name__ == "__main__":
-    command_line(main, rows(), __doc__)
+    command_line(make, rows(), tables, __doc__)

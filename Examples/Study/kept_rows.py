@@ -62,10 +62,10 @@ def new_folder(row, out):
     return folder
 
 
-def go_on(make, rows, tables, out, names):
-    """Makes the rows that are not there, or those named, by make(row, folder), which returns what it measured, and writes
+def go_on(make, rows, tables, atria, out, *names):
+    """Makes the rows that are not there, or those named, by make(atria, row, folder), which returns what it measured, and writes
     tables() to OUT/tables.md. A row that fails is told and left out. Returns an exit status."""
-    out = pathlib.Path(out)
+    atria, out = pathlib.Path(atria).resolve(), pathlib.Path(out)
     wanted = [row for row in rows if not names or row.name in names]
     if unknown := set(names) - {row.name for row in wanted}:
         sys.exit(f"study.py: there is no row {', '.join(sorted(unknown))}; --list names them")
@@ -75,7 +75,7 @@ def go_on(make, rows, tables, out, names):
             print(f"{row.name} …", flush=True)
             try:
                 folder = new_folder(row, out)
-                keep(row, out, make(row, folder))
+                keep(row, out, make(atria, row, folder))
                 shutil.rmtree(folder)
             except Failed as failure:
                 failures += 1
@@ -86,14 +86,14 @@ def go_on(make, rows, tables, out, names):
     return 1 if failures else 0
 
 
-def command_line(main, rows, usage):
-    """What all studies do with their arguments."""
+def command_line(make, rows, tables, usage):
+    """What all studies do with their arguments: see go_on()."""
     if sys.argv[1:] == ["--list"]:
         print("\n".join(row.name for row in rows))
     elif len(sys.argv) < 3:
         sys.exit(usage)
     else:
-        sys.exit(main(*sys.argv[1:]))
+        sys.exit(go_on(make, rows, tables, *sys.argv[1:]))
 
 
 def lines_of(head, rows):

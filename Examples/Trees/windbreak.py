@@ -25,14 +25,16 @@ import pathlib
 import sys
 from dataclasses import dataclass
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Study"))
+sys.path += [str(pathlib.Path(__file__).resolve().parent.parent / folder) for folder in ("Data", "Study")]
 
-from kept_rows import command_line, go_on, known, lines_of, run  # noqa: E402
+from kept_rows import command_line, known, lines_of, run  # noqa: E402
+from polygons import box, write_obj  # noqa: E402
 
 HEIGHT, DEPTH = 16.5, 8.0
 WIDTH = 4.0  # of the domain, meters
 MEASURED_AT = 2.0  # meters above the ground
 SPEED, ROUGHNESS = 5.0, 0.03  # m/s at 10 m; meters, of grass
+TREES = ((0.0, DEPTH), (-WIDTH, 2.0 * WIDTH), (0.0, HEIGHT))  # beyond the sides of the domain
 DOMAIN = ((-250.0, 500.0), (0.0, WIDTH), (0.0, 130.0))
 NEAR = ((-30.0, 270.0), (0.0, WIDTH), (0.0, 25.0))  # where elements are finest
 DISTANCES = (50.0, 150.0, 250.0)  # behind the trees, meters
@@ -50,7 +52,7 @@ class Row:
 
 
 OPEN = Row("open", 1.0)
-ROWS = [OPEN, Row("porosity30", 0.3), Row("porosity10", 0.1), Row("porosity1", 0.01), Row("porosity10_drag5", 0.1, drag=0.5), Row("porosity1_drag5", 0.01, drag=0.5)]
+ROWS = [OPEN, Row("porosity30", 0.3), Row("porosity10", 0.1), Row("porosity1", 0.01), Row("porosity10_drag5", 0.1, drag=0.5)]
 
 
 def leaf_area_density(row):
@@ -58,18 +60,9 @@ def leaf_area_density(row):
     return 2.0 * math.log(1.0 / row.porosity) / DEPTH
 
 
-def write_trees(file):
-    """A closed box that reaches beyond the sides of the domain, as OBJ."""
-    bounds = ((0.0, DEPTH), (-WIDTH, 2.0 * WIDTH), (0.0, HEIGHT))
-    points = [tuple(bounds[axis][i >> axis & 1] for axis in range(3)) for i in range(8)]
-    faces = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
-    file.write_text("o Trees\n" + "".join("v {:g} {:g} {:g}\n".format(*point) for point in points)
-                    + "".join("f " + " ".join(str(i + 1) for i in face) + "\n" for face in faces))
-
-
 def mesh(atria, row, folder):
-    write_trees(folder / "trees.obj")
-    domain, near = ([c for pair in box for c in pair] for box in (DOMAIN, NEAR))
+    write_obj(folder / "trees.obj", {"Trees": box(TREES)})
+    domain, near = ([c for pair in bounds for c in pair] for bounds in (DOMAIN, NEAR))
     return run([atria, "mesh", folder / "trees.obj", "-o", folder / "mesh.vtu", "--cell-zone", "Trees", "--domain", *domain,
                 "--size-min", row.finest, "--size-mid", row.finest, "--size-max", 4 * row.finest, "--refine-box", *near, row.finest,
                 "--layers", 0, "--threads", 1], folder, "mesh")
@@ -125,10 +118,5 @@ def tables(out):
     return f"## A row of trees\n\n{lines_of(HEAD, [*(cells(row, known(row, out), known(OPEN, out)) for row in ROWS if row is not OPEN), measured])}\n"
 
 
-def main(atria, out, *names):
-    atria = pathlib.Path(atria).resolve()
-    return go_on(lambda row, folder: make(atria, row, folder), ROWS, tables, out, names)
-
-
 if __name__ == "__main__":
-    command_line(main, ROWS, __doc__)
+    command_line(make, ROWS, tables, __doc__)

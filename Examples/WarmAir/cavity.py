@@ -17,10 +17,10 @@ import pathlib
 import sys
 from dataclasses import dataclass
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Study"))
+sys.path += [str(pathlib.Path(__file__).resolve().parent.parent / folder) for folder in ("Data", "Study")]
 
-import make_room  # noqa: E402
-from kept_rows import command_line, go_on, known, lines_of, run  # noqa: E402
+from kept_rows import command_line, known, lines_of, run  # noqa: E402
+from polygons import write_obj  # noqa: E402
 
 WIDTH, HEIGHT = 0.076, 2.18
 HOT, COLD = 34.7, 15.1
@@ -59,7 +59,7 @@ def surfaces(row):
 
 
 def mesh(atria, row, folder):
-    make_room.write(folder / "cavity.obj", surfaces(row))
+    write_obj(folder / "cavity.obj", surfaces(row))
     size = WIDTH / row.across
     layers = [word for wall in ("Cold", "Hot") for word in ("--layers", f"{wall}={row.layers}:{row.first / 1000:g}:auto")]
     return run([atria, "mesh", folder / "cavity.obj", "-o", folder / "mesh.vtu", "--model-bounds", "--size-min", size, "--size-mid", size,
@@ -136,10 +136,5 @@ def tables(out):
     return f"## A tall cavity\n\n{lines_of(HEAD, [cells(row, known(row, out)) for row in ROWS])}\n"
 
 
-def main(atria, out, *names):
-    atria = pathlib.Path(atria).resolve()
-    return go_on(lambda row, folder: make(atria, row, folder), ROWS, tables, out, names)
-
-
 if __name__ == "__main__":
-    command_line(main, ROWS, __doc__)
+    command_line(make, ROWS, tables, __doc__)

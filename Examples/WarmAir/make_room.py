@@ -11,6 +11,10 @@ Usage: make_room.py FILE.obj [--plume]
 import pathlib
 import sys
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Data"))
+
+from polygons import box, write_obj  # noqa: E402
+
 LENGTH, WIDTH, HEIGHT = 4.0, 3.0, 4.0
 LOWER, UPPER = (1.0, 0.2, 2.0, 0.6), (1.0, 3.4, 2.0, 3.8)  # y0 z0 y1 z1, in the walls at x = 0 and x = LENGTH
 WIDE, SMALL = (0.2, 0.1, 2.8, 0.7), (1.2, 3.4, 1.8, 3.8)  # with a plume: low in both walls, and high in the one at x = LENGTH
@@ -27,11 +31,6 @@ def wall_with_openings(x, openings):
     return [[(x, a, low), (x, b, low), (x, b, high), (x, a, high)] for a, b, low, high in parts]
 
 
-def box(bounds):
-    points = [tuple(bounds[axis][i >> axis & 1] for axis in range(3)) for i in range(8)]
-    return [[points[i] for i in face] for face in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))]
-
-
 def surfaces(has_plume):
     first, last = ((WIDE,), (WIDE, SMALL)) if has_plume else ((LOWER,), (UPPER,))
     sides = [[(0, y, 0), (LENGTH, y, 0), (LENGTH, y, HEIGHT), (0, y, HEIGHT)] for y in (0.0, WIDTH)]
@@ -45,20 +44,8 @@ def opening_area(opening):
     return (y1 - y0) * (z1 - z0)
 
 
-def write(file, named):
-    """Writes polygons by name as Wavefront OBJ."""
-    lines, count = [], 0
-    for name, polygons in named.items():
-        lines.append(f"o {name}")
-        for polygon in polygons:
-            lines += ["v {:g} {:g} {:g}".format(*point) for point in polygon]
-            lines.append("f " + " ".join(str(count + i + 1) for i in range(len(polygon))))
-            count += len(polygon)
-    pathlib.Path(file).write_text("\n".join(lines) + "\n", encoding="utf-8")
-
-
 def main(file, has_plume=False):
-    write(file, surfaces(has_plume))
+    write_obj(file, surfaces(has_plume))
 
 
 if __name__ == "__main__":

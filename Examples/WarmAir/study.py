@@ -25,7 +25,7 @@ from dataclasses import dataclass
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Study"))
 
 import make_room  # noqa: E402
-from kept_rows import Failed, command_line, go_on, known, lines_of, run  # noqa: E402
+from kept_rows import Failed, command_line, known, lines_of, run  # noqa: E402
 
 OUTDOORS = 20.0  # °C
 GRAVITY, KELVIN = 9.81, 273.15
@@ -230,10 +230,5 @@ def tables(out):
     return (f"## Warm air\n\n{table(STACK_HEAD, stacks, stack_cells, out)}\n\n{table(PLUME_HEAD, plumes, plume_cells, out)}\n")
 
 
-def main(atria, out, *names):
-    atria = pathlib.Path(atria).resolve()
-    return go_on(lambda row, folder: make(atria, row, folder), ROWS, tables, out, names)
-
-
 if __name__ == "__main__":
-    command_line(main, ROWS, __doc__)
+    command_line(make, ROWS, tables, __doc__)

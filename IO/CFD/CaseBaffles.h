@@ -12,6 +12,9 @@
 
 namespace atria {
 
+/// Density of air at 15 degrees Celsius, kg/m3, by which pressures become those of OpenFOAM, Pa m3/kg.
+inline constexpr double airDensity = 1.225;
+
 struct FlowCaseSettings;
 
 /// A porous screen in face zones. The pressure falls by resistance * density * U^2 / 2 + linear * U, U being the speed
@@ -28,9 +31,6 @@ struct ScreenRule
 ScreenRule screenRuleFrom(const std::string& text);
 
 /// A fan in face zones. The last of several matching rules holds.
-/// Density of air at 15 degrees Celsius, kg/m3, by which pressures become those of OpenFOAM, Pa m3/kg.
-inline constexpr double airDensity = 1.225;
-
 struct FanRule
 {
   std::string pattern;  ///< see matchesPattern

@@ -145,8 +145,7 @@ CanopyRule canopyRuleFrom(const std::string& text)
   {
     throw Error("the canopy '" + text +
                 "' is not of the form PATTERN LAD CD, with a leaf area density in 1/m above 0 and a drag coefficient "
-                "of at most 2, "
-                "such as Trees 1.2 0.2");
+                "of at most 2, such as Trees 1.2 0.2");
   }
   return rule;
 }

@@ -114,7 +114,7 @@ void describeScalars(const CaseOfDirection& flow, Json& report)
   {
     Json sources = scalar.zones;
     sources.update(scalar.surfaces);
-    report["scalars"].push_back({{"name", scalar.name}, {"sources", sources}, {"incoming", scalar.incoming}});
+    report["scalars"].push_back({{"name", scalar.name}, {"sources", sources}, {"incoming", Json::object()}});
   }
 }
 

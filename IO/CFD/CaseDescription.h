@@ -12,12 +12,12 @@
 
 namespace atria {
 
-/// Returns the content of case.json, with an empty list of directions.
+/// Returns the content of case.json, with an empty list of directions, and nothing that the incoming air carries.
 nlohmann::ordered_json describeCase(const CaseOfDirection& flow);
 /// Returns one entry of that list. `towards` is the direction the wind blows to; a room's entry leaves it out.
 nlohmann::ordered_json describeDirection(const CaseOfDirection& flow, double towards, const std::string& folder);
 
-/// Adds what the incoming air of a direction carries to the content of case.json, to that of other directions.
+/// Adds what the incoming air of a direction carries to the content of case.json.
 void addIncoming(const CaseOfDirection& flow, nlohmann::ordered_json& report);
 
 /// Returns texts one after the other, only the first of many.

@@ -7,15 +7,6 @@
 
 namespace atria {
 
-namespace {
-
-bool letsAirIn(PatchRole role)
-{
-  return role == PatchRole::Inlet || role == PatchRole::Outlet || role == PatchRole::InletOutlet;
-}
-
-} // namespace
-
 Places placesOf(const CaseMesh& mesh, const std::vector<PatchChoice>& choices)
 {
   Places places;
@@ -28,7 +19,7 @@ Places placesOf(const CaseMesh& mesh, const std::vector<PatchChoice>& choices)
     const CasePatch& patch = mesh.patches[i];
     if (choices[i].role != PatchRole::Constraint)
     {
-      (letsAirIn(choices[i].role) ? places.openings : places.surfaces)[patch.name] = patch.area;
+      (letsAirThrough(choices[i].role) ? places.openings : places.surfaces)[patch.name] = patch.area;
     }
     if (choices[i].role == PatchRole::Slip)
     {

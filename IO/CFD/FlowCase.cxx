@@ -154,9 +154,7 @@ std::vector<std::string> closeEmptyOpenings(CaseOfDirection& flow)
   for (std::size_t i = 0; i < flow.choices.size(); ++i)
   {
     PatchChoice& choice = flow.choices[i];
-    const bool isOpening =
-        choice.role == PatchRole::Inlet || choice.role == PatchRole::Outlet || choice.role == PatchRole::InletOutlet;
-    if (isOpening && flow.mesh.patches[i].area <= 0.0)
+    if (letsAirThrough(choice.role) && flow.mesh.patches[i].area <= 0.0)
     {
       warnings.push_back("no air passes '" + flow.mesh.patches[i].name + "': the mesh has no faces of it");
       choice = {};

@@ -77,6 +77,11 @@ enum class PatchRole
   Constraint ///< a type of OpenFOAM's mesh that each field has too, such as symmetryPlane
 };
 
+inline bool letsAirThrough(PatchRole role)
+{
+  return role == PatchRole::Inlet || role == PatchRole::Outlet || role == PatchRole::InletOutlet;
+}
+
 inline bool isWall(PatchRole role)
 {
   return role == PatchRole::Ground || role == PatchRole::Wall || role == PatchRole::RoughWall;

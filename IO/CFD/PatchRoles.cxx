@@ -160,11 +160,6 @@ std::vector<PatchChoice> rolesInRoom(const CaseMesh& mesh, const std::vector<con
   return choices;
 }
 
-bool letsAirThrough(PatchRole role)
-{
-  return role == PatchRole::Inlet || role == PatchRole::Outlet || role == PatchRole::InletOutlet;
-}
-
 std::vector<std::string> namesOf(const CaseMesh& mesh, const std::vector<PatchChoice>& choices, PatchRole role)
 {
   std::vector<std::string> names;

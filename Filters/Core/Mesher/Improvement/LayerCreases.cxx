@@ -29,10 +29,14 @@ Goodness goodnessOf(const DualMesh& mesh, double wantedJacobian, const RunContex
     for (std::size_t e = pieces.begin(piece); e < pieces.end(piece); ++e)
     {
       const NativeCell native = source.nativeOf(static_cast<Index>(e));
+      if (native.type == 0)
+      {
+        continue;
+      }
       std::array<Vec3, 8> corners;
       std::ranges::transform(native.corners, corners.begin(), [&](Index p) { return mesh.points[p]; });
-      const double jacobian = native.type == 0 ? wantedJacobian : scaledJacobian(native.type, corners);
-      found[piece].least = native.type == 0 ? found[piece].least : std::min(found[piece].least, jacobian);
+      const double jacobian = scaledJacobian(native.type, corners);
+      found[piece].least = std::min(found[piece].least, jacobian);
       found[piece].poor += jacobian < wantedJacobian ? 1 : 0;
     }
   });
@@ -111,7 +115,6 @@ void addCreaseSheets(ImproverState& state)
   const double wantedJacobian = wantedOfCreaseSheets(state.traits).jacobianLimit;
   Goodness bestOf = goodnessOf(before.mesh, wantedJacobian, state.context);
   const bool hasTubes = std::ranges::find(state.walls.roles, FaceRole::tube) != state.walls.roles.end();
-  bool isDone = false;
   for (const double width : creaseWidths)
   {
     state.layer = before;
@@ -134,10 +137,10 @@ void addCreaseSheets(ImproverState& state)
     {
       best = std::move(state.layer);
       bestOf = its;
-      isDone = its.poor == 0 || state.traits.wraps;
     }
     // Around tubes another width hardly helps where one did not, and takes minutes.
-    if (isDone || hasTubes)
+    const bool isEnough = isValid && isBetter && (its.poor == 0 || state.traits.wraps);
+    if (isEnough || hasTubes)
     {
       break;
     }
