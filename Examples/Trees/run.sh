@@ -2,7 +2,7 @@
 # The wind behind a row of trees: installs what is missing, builds Atria, meshes a windbreak, runs OpenFOAM and compares with
 # measurements (docs/records/validation.md). Everything goes to build/trees.
 #
-#   run.sh           one windbreak: minutes
+#   run.sh           one windbreak, and the open wind: a dozen minutes
 #   run.sh --study   all rows. It goes on where it stopped; rows may be named
 set -euo pipefail
 
