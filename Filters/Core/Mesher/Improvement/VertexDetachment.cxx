@@ -54,18 +54,18 @@ bool VertexDetachment::improveAndMend()
   return left_.size() > before;
 }
 
-/// Returns the bad cells that room may help: not those with too few neighbors and all vertices on bare sides of the
-/// domain.
+/// Returns the bad cells that room may help: not those with too few neighbors where layers stay as they are, which is
+/// everywhere if they go round boundary edges, and else at cells with all vertices on bare sides of the domain.
 std::vector<ShortCell> VertexDetachment::badAmong(const std::vector<ShortCell>& cells) const
 {
   std::vector<ShortCell> bad = badOf(cells);
-  std::vector<ShortCell> atSides;
-  std::ranges::copy_if(bad, std::back_inserter(atSides), [&](const ShortCell& cell) {
+  std::vector<ShortCell> staying;
+  std::ranges::copy_if(bad, std::back_inserter(staying), [&](const ShortCell& cell) {
     bool all = true;
-    eachLeaderOf({cell}, [&](Index leader) { all = all && isOnSide_[leader]; });
+    eachLeaderOf({cell}, [&](Index leader) { all = all && (state_.traits.wraps || isOnSide_[leader]); });
     return all;
   });
-  if (atSides.empty())
+  if (staying.empty())
   {
     return bad;
   }
@@ -75,7 +75,7 @@ std::vector<ShortCell> VertexDetachment::badAmong(const std::vector<ShortCell>& 
   const auto contains = [](const std::vector<ShortCell>& list, const ShortCell& cell) {
     return std::ranges::binary_search(list, cell.cell, {}, &ShortCell::cell);
   };
-  std::erase_if(bad, [&](const ShortCell& cell) { return contains(atSides, cell) && !contains(otherwise, cell); });
+  std::erase_if(bad, [&](const ShortCell& cell) { return contains(staying, cell) && !contains(otherwise, cell); });
   return bad;
 }
 
