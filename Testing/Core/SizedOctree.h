@@ -19,7 +19,7 @@ struct Sized
   SizedOctants octants;
   Octree octree;
 
-  std::size_t elements() const { return countElements(octants.refined, frame, quietContext()); }
+  std::size_t elements() const { return countElements(octants.refined, false, frame, quietContext()); }
 };
 
 inline GridOptions gridOf(double length, double sizeMin, double sizeMid, double sizeMax)

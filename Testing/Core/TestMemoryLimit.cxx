@@ -150,22 +150,28 @@ TEST_F(MemoryLimit, AnEstimateTellsAboutHowManyWouldBeRefused)
 TEST_F(MemoryLimit, LayersCountToo)
 {
   const Sized s = sized(twoBoxes(), gridOf(24.0, 0.25, 0.5, 4.0), {});
-  const std::size_t plain = elementsWithLayers(s.octree, s.model, {}, context());
-  const std::size_t some = elementsWithLayers(s.octree, s.model, {{"Detail", {3}}}, context());
-  const std::size_t all = elementsWithLayers(s.octree, s.model, {{"*", {3}}}, context());
+  const auto count = [&](const std::vector<LayerRule>& rules, bool hexahedra = false) {
+    return countLayerElements(s.octree, s.model, rules, hexahedra, context());
+  };
+  const std::size_t some = count({{"Detail", {3}}});
+  const std::size_t all = count({{"*", {3}}});
   std::size_t leaves = 0, occupied = 0;
   eachLeaf(s.octree, [&](Index leaf) {
     ++leaves;
     occupied += s.octree.items(leaf, ModelItem::triangle).empty() ? 0 : 1;
   });
-  EXPECT_EQ(plain, leaves);
-  EXPECT_EQ(all, leaves + 3 * occupied);
-  EXPECT_LT(plain, some);
+  EXPECT_EQ(count({}), 0U);
+  EXPECT_EQ(all, 3 * occupied);
+  EXPECT_GT(some, 0U);
   EXPECT_LT(some, all);
-  const auto check = [&](std::size_t bytes) { checkLayerBudget(s.octree, s.model, {{"*", {3}}}, bytes, context()); };
-  EXPECT_NO_THROW(check(all * bytesPerElement));
+  EXPECT_GT(count({}, true), 2 * occupied) << "one on both sides of walls, and on the domain's sides";
+  EXPECT_EQ(count({{"Detail", {3}}}, true), 3 * count({}, true)) << "all walls have as many";
+  const auto check = [&](std::size_t bytes) {
+    checkLayerBudget(s.octree, s.model, {{"*", {3}}}, false, bytes, context());
+  };
+  EXPECT_NO_THROW(check((leaves + all) * bytesPerElement));
   EXPECT_NO_THROW(check(0));
-  EXPECT_THROW(check((all - 1) * bytesPerElement), Error);
+  EXPECT_THROW(check((leaves + all - 1) * bytesPerElement), Error);
 }
 
 TEST_F(MemoryLimit, NumbersAreWrittenAsPeopleSayThem)

@@ -63,7 +63,7 @@ Left addAll(const GridFrame& frame, const std::vector<Added>& lists, std::size_t
 
 std::size_t elementsOf(const RefinedSets& refined, const GridFrame& frame)
 {
-  return countElements(refined, frame, quietContext());
+  return countElements(refined, false, frame, quietContext());
 }
 
 const Added root{0, {0}, OctantNeed::open};

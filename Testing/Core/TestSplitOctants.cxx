@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Dual/Hexahedra/SplitOctants.h"
+#include "Octree/Tree/SplitOctants.h"
 #include "Octree/Tree/Balance.h"
 #include "Support/QuietContext.h"
 #include "Support/RandomOctrees.h"
@@ -118,6 +118,32 @@ TEST_F(SplitOctantsOf, BesideAPlaneBorderHaveFourParts)
     ++depths[point[0]];
   }
   EXPECT_EQ(depths.size(), 2U) << "the caps of the slabs along y and along z";
+}
+
+TEST_F(SplitOctantsOf, HaveTheCountedPoints)
+{
+  const GridFrame odd = frameOfDepth(5, {29.5, 22.3, 31.0}); // sides cut octants
+  std::mt19937 random(29);
+  for (int i = 0; i < 20; ++i)
+  {
+    SCOPED_TRACE(i);
+    const GridFrame& within = i % 2 == 0 ? frame : odd;
+    RefinedSets sets = randomSets(within, random);
+    balance(sets, within, quietContext(), 1, true);
+    const Octree octree(within, sets);
+    const SplitOctants split(octree, quietContext());
+    std::set<LatticePoint> points;
+    for (Index leaf = 0; leaf < octree.leafCount(); ++leaf)
+    {
+      for (const LatticePoint& point : split.isSplit(leaf) ? split.pointsOf(leaf) : std::vector<LatticePoint>())
+      {
+        points.insert(point);
+      }
+    }
+    std::erase_if(points, [&](const LatticePoint& point) { return !within.inDomain(point); });
+    EXPECT_FALSE(points.empty());
+    EXPECT_EQ(countSplitPoints(sets, within, quietContext()), points.size());
+  }
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Dual/Hexahedra/SplitOctants.h"
+#include "Octree/Tree/SplitOctants.h"
 #include "Octree/Sizing/UniformWalls.h"
 #include "Octree/Tree/Balance.h"
 #include "Octree/Tree/GeometryLists.h"

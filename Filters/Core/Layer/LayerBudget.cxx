@@ -3,41 +3,57 @@
 
 #include "Layer/LayerHeights.h"
 #include "Octree/Sizing/ElementBudget.h"
-#include "Support/Pieces.h"
+#include "Support/Sums.h"
 
 #include <algorithm>
-#include <numeric>
+#include <bit>
 
 namespace atria {
 
-std::size_t elementsWithLayers(const Octree& octree, const SurfaceModel& model, const std::vector<LayerRule>& rules,
-                               const RunContext& context, const std::function<bool(Index leaf)>& isCounted)
+namespace {
+
+/// Returns the sum of count(leaf) over the leaves in the domain for which `isCounted` is true, if it is given.
+template <typename Count>
+std::size_t sumOverLeaves(const Octree& octree, const std::function<bool(Index leaf)>& isCounted,
+                          const RunContext& context, Count&& count)
+{
+  return sumOver(octree.leafCount(), context, [&](std::size_t i) {
+    const auto leaf = static_cast<Index>(i);
+    return octree.inDomain(leaf) && (!isCounted || isCounted(leaf)) ? count(leaf) : std::size_t{0};
+  });
+}
+
+} // namespace
+
+std::size_t countLayerElements(const Octree& octree, const SurfaceModel& model, const std::vector<LayerRule>& rules,
+                               bool hexahedra, const RunContext& context,
+                               const std::function<bool(Index leaf)>& isCounted)
 {
   const std::vector<WallLayers> layers = resolveLayerRules(rules, model.names);
-  const auto elementsAt = [&](Index leaf) {
-    const double size = octree.frame().sizeOf(octree.level(leaf));
+  const GridFrame& frame = octree.frame();
+  if (hexahedra)
+  {
+    const int most = std::max(1, mostLayersOf(layers, frame.sizeOf(octree.maximumLevel())));
+    return sumOverLeaves(octree, isCounted, context, [&](Index leaf) {
+      const bool hasSurface = !octree.items(leaf, ModelItem::triangle).empty();
+      const int sides = std::popcount(frame.domainPlanes(octree.lowCorner(leaf), octree.highCorner(leaf)));
+      return static_cast<std::size_t>(most * (sides + (hasSurface ? 2 : 0)));
+    });
+  }
+  return sumOverLeaves(octree, isCounted, context, [&](Index leaf) {
+    const double size = frame.sizeOf(octree.level(leaf));
     int most = 0;
     for (const ModelItem item : octree.items(leaf, ModelItem::triangle))
     {
       most = std::max(most, fitted(layers[model.surfaceIds[item.index]], size).layers);
     }
-    return std::size_t{1} + static_cast<std::size_t>(most);
-  };
-  const Pieces pieces(octree.leafCount());
-  std::vector<std::size_t> counts(pieces.count, 0);
-  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
-    for (std::size_t leaf = pieces.begin(piece); leaf < pieces.end(piece); ++leaf)
-    {
-      const auto i = static_cast<Index>(leaf);
-      counts[piece] += octree.inDomain(i) && (!isCounted || isCounted(i)) ? elementsAt(i) : 0;
-    }
+    return static_cast<std::size_t>(most);
   });
-  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
 void checkLayerBudget(const Octree& octree, const SurfaceModel& model, const std::vector<LayerRule>& rules,
-                      std::size_t memoryLimit, const RunContext& context, const std::function<bool(Index leaf)>& isOwn,
-                      RankExchange& exchange)
+                      bool hexahedra, std::size_t memoryLimit, const RunContext& context,
+                      const std::function<bool(Index leaf)>& isOwn, RankExchange& exchange)
 {
   constexpr std::size_t mostLayers = 100;
   const auto sum = [&](std::size_t own) { return sumAll(exchange, std::array{own})[0]; };
@@ -45,7 +61,9 @@ void checkLayerBudget(const Octree& octree, const SurfaceModel& model, const std
   {
     return;
   }
-  const std::size_t elements = sum(elementsWithLayers(octree, model, rules, context, isOwn));
+  const std::size_t elements =
+      sum(sumOverLeaves(octree, isOwn, context, [](Index /*leaf*/) { return std::size_t{1}; }) +
+          countLayerElements(octree, model, rules, hexahedra, context, isOwn));
   if (elements > memoryLimit / bytesPerElement)
   {
     throw Error("with the layers on walls there are about " + inWords(static_cast<double>(elements)) +

@@ -68,6 +68,16 @@ WallLayers fitted(const WallLayers& asked, double size)
   return layers;
 }
 
+int mostLayersOf(const std::vector<WallLayers>& walls, double size)
+{
+  int most = 0;
+  for (const WallLayers& wall : walls)
+  {
+    most = std::max(most, fitted(wall, size).layers);
+  }
+  return most;
+}
+
 double thicknessAsked(const WallLayers& layers, double wallSize, const LayerOptions& options)
 {
   return layers.firstHeight > 0.0

@@ -14,6 +14,9 @@ namespace atria {
 WallLayers fitted(const WallLayers& asked, double size);
 inline constexpr double maximumGrowth = 2.0;
 
+/// Returns the largest number of layers that walls get beside elements of this edge length; 0 without walls.
+int mostLayersOf(const std::vector<WallLayers>& walls, double size);
+
 /// Returns the requested height of all layers at a point, in model units. `wallSize` is its size by findWallSizes.
 double thicknessAsked(const WallLayers& layers, double wallSize, const LayerOptions& options);
 

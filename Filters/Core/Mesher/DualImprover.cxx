@@ -119,11 +119,7 @@ void support(bool onGround, bool isTurned, LayerOptions& options)
 /// are those beside the finest elements.
 void layerAll(LayerOptions& options, double finestSize)
 {
-  int most = 1;
-  for (const WallLayers& wall : options.ofTag)
-  {
-    most = std::max(most, fitted(wall, finestSize).layers);
-  }
+  const int most = std::max(1, mostLayersOf(options.ofTag, finestSize));
   options.wraps = true;
   options.supporting.assign(options.ofTag.size(), SupportingLayer::none);
   for (Index tag = 0; tag < options.ofTag.size(); ++tag)

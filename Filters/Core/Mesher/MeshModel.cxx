@@ -194,8 +194,8 @@ MeshedModel meshOctree(const PreparedModel& prepared, const Octree& octree, cons
                        DualStages* kept, MeshPort& port, StageClock& clock, const RunContext& context)
 {
   const SurfaceModel& model = prepared.model;
-  checkLayerBudget(octree, model, options.mesh.layers, options.sizing.memoryLimit, context, port.ownLeaves(octree),
-                   port.exchange());
+  checkLayerBudget(octree, model, options.mesh.layers, options.sizing.hexahedra, options.sizing.memoryLimit, context,
+                   port.ownLeaves(octree), port.exchange());
   MeshedModel out;
   DualMeshOptions dual = options.mesh;
   dual.hexahedra = options.sizing.hexahedra;
@@ -224,8 +224,7 @@ std::size_t estimateLayerElements(const TriangleSurface& surface, const MesherOp
   const SurfaceModel model = makeSurfaceModel(placed, options, context.part(0.0, 0.2));
   const SizedOctants sized = sizeOctants(model, placed.frame, options, context.part(0.2, 0.6));
   const Octree octree = buildOctree(model, placed.frame, sized, context.part(0.6, 1.0));
-  return elementsWithLayers(octree, model, options.mesh.layers, context) -
-         elementsWithLayers(octree, model, {}, context);
+  return countLayerElements(octree, model, options.mesh.layers, options.sizing.hexahedra, context);
 }
 
 } // namespace atria

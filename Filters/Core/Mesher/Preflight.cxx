@@ -3,6 +3,7 @@
 
 #include "Mesher/ModelStages.h"
 #include "Octree/Sizing/ElementBudget.h"
+#include "Octree/Tree/SplitOctants.h"
 
 #include <algorithm>
 #include <array>
@@ -205,7 +206,8 @@ void estimate(const SurfaceModel& model, const GridFrame& frame, const ModelOpti
   try
   {
     const SizedOctants sized = sizeOctants(model, frame, options, context.part(0.0, 0.7));
-    out.estimatedElements = leavesInside(buildOctree(model, frame, sized, context.part(0.7, 1.0)));
+    out.estimatedElements = leavesInside(buildOctree(model, frame, sized, context.part(0.7, 1.0))) +
+                            (options.sizing.hexahedra ? countSplitPoints(sized.refined, frame, context) : 0);
   }
   catch (const TooManyElements& refusal)
   {

@@ -2,7 +2,7 @@
 #include "Dual/Hexahedra/Hexahedra.h"
 
 #include "Dual/Grid/GridPoints.h"
-#include "Dual/Hexahedra/SplitOctants.h"
+#include "Octree/Tree/SplitOctants.h"
 #include "Dual/Vertices/TurnedDomain.h"
 #include "Grid/DomainPlanes.h"
 #include "Support/Error.h"

@@ -3,29 +3,14 @@
 
 #include "Octree/Sizing/ElementBudget.h"
 #include "Octree/Tree/GeometryLists.h"
+#include "Octree/Tree/SplitOctants.h"
+#include "Support/Sums.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace atria {
 
 namespace {
-
-constexpr std::size_t grain = 4096;
-
-/// Sums `count(i)` over [0, size).
-template <typename Count> std::size_t sumOver(std::size_t size, const RunContext& context, Count&& count)
-{
-  std::vector<std::size_t> parts((size + grain - 1) / grain, 0);
-  context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
-    context.progress.check();
-    for (std::size_t i = part * grain; i < std::min((part + 1) * grain, size); ++i)
-    {
-      parts[part] += count(i);
-    }
-  });
-  return std::accumulate(parts.begin(), parts.end(), std::size_t{0});
-}
 
 /// Counts the new points of refined octants.
 class PointCounter
@@ -132,9 +117,9 @@ std::size_t childrenInDomain(std::span<const MortonKey> refined, int level, cons
   });
 }
 
-std::size_t countElements(const RefinedSets& refined, const GridFrame& frame, const RunContext& context)
+std::size_t countElements(const RefinedSets& refined, bool hexahedra, const GridFrame& frame, const RunContext& context)
 {
-  std::size_t elements = 0;
+  std::size_t elements = hexahedra ? countSplitPoints(refined, frame, context) : 0;
   for (std::size_t l = 0; l < refined.size(); ++l)
   {
     elements += countNewPoints(refined[l], static_cast<int>(l), frame, context);
@@ -144,7 +129,7 @@ std::size_t countElements(const RefinedSets& refined, const GridFrame& frame, co
 
 namespace {
 
-MeshEstimate estimateOf(const SizedOctants& sized, const GridFrame& frame, const RunContext& context)
+MeshEstimate estimateOf(const SizedOctants& sized, bool hexahedra, const GridFrame& frame, const RunContext& context)
 {
   MeshEstimate estimate;
   estimate.octants.assign(sized.refined.size() + 1, 0);
@@ -154,7 +139,7 @@ MeshEstimate estimateOf(const SizedOctants& sized, const GridFrame& frame, const
     const std::size_t below = l + 1 < sized.refined.size() ? sized.refined[l + 1].size() : 0;
     estimate.octants[l + 1] = childrenInDomain(sized.refined[l], static_cast<int>(l), frame, context) - below;
   }
-  estimate.elements = countElements(sized.refined, frame, context);
+  estimate.elements = countElements(sized.refined, hexahedra, frame, context);
   estimate.bytes = estimate.elements * bytesPerElement;
   estimate.warning = sized.warning;
   return estimate;
@@ -182,7 +167,7 @@ MeshEstimate estimateElements(const SurfaceModel& model, const GridFrame& frame,
 {
   try
   {
-    return estimateOf(sizeOctants(model, frame, options, context), frame, context);
+    return estimateOf(sizeOctants(model, frame, options, context), options.hexahedra, frame, context);
   }
   catch (const TooManyElements& refusal)
   {

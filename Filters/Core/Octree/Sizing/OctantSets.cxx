@@ -157,7 +157,7 @@ RefinedSets OctantSets::balanced(const Balance& balanceSets, const RunContext& c
       sets.push_back(level.keys);
     }
     balanceSets(sets, steps_.kept().cellsPerLevel);
-    elements_ = limit > 0 ? countElements(sets, frame_, context) : 0;
+    elements_ = limit > 0 ? countElements(sets, options_.hexahedra, frame_, context) : 0;
     if (elements_ <= limit)
     {
       budget_.check(std::vector<std::span<const MortonKey>>(sets.begin(), sets.end()), context);

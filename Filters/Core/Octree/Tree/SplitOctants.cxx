@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Dual/Hexahedra/SplitOctants.h"
+#include "Octree/Tree/SplitOctants.h"
 
+#include "Support/Sums.h"
+
+#include <algorithm>
 #include <bit>
 #include <cstdlib>
 
@@ -170,8 +173,79 @@ const Scheme& schemeOf(unsigned finer)
   return schemes[finer / 2];
 }
 
-/// Returns the child that a leaf is of its parent: bits x 1, y 2, z 4.
-unsigned childOf(const Octree& octree, Index leaf) { return static_cast<unsigned>(octree.key(leaf) & 7); }
+/// Returns the child that an octant is of its parent: bits x 1, y 2, z 4.
+unsigned childOf(MortonKey key) { return static_cast<unsigned>(key & 7); }
+unsigned childOf(const Octree& octree, Index leaf) { return childOf(octree.key(leaf)); }
+
+/// Returns bits 1 to 7 for the octants beyond the outer corner of an octant, across axes x 1, y 2, z 4, that are
+/// refined.
+template <typename IsRefined> unsigned finerBeyond(MortonKey key, int level, IsRefined&& isRefined)
+{
+  const GridCell cell = gridCell(key);
+  const std::uint32_t end = 1u << level;
+  unsigned finer = 0;
+  for (unsigned across = 1; level > 0 && across < 8; ++across)
+  {
+    GridCell other = cell;
+    bool isInRoot = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if ((across >> axis & 1) != 0)
+      {
+        other[axis] += (childOf(key) >> axis & 1) != 0 ? 1u : ~0u;
+        isInRoot = isInRoot && other[axis] < end;
+      }
+    }
+    finer |= isInRoot && isRefined(mortonKey(other)) ? 1u << across : 0u;
+  }
+  return finer;
+}
+
+/// Returns a place in an octant with this outer corner.
+LatticePoint placeIn(const LatticePoint& outer, std::int64_t size, unsigned child, const Local& local)
+{
+  LatticePoint place = outer;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    place[axis] += ((child >> axis & 1) != 0 ? -1 : 1) * (local[axis] * size / whole);
+  }
+  return place;
+}
+
+/// Returns in eighths how much of a point belongs to an octant: octants that share it have the same share.
+unsigned eighthsOf(const Local& local)
+{
+  unsigned eighths = 8;
+  for (const int c : local)
+  {
+    eighths /= c == 0 || c == whole ? 2 : 1;
+  }
+  return eighths;
+}
+
+/// Returns in eighths how many points inside the domain belong to an octant that is not refined.
+unsigned pointsOf(MortonKey key, int level, const std::vector<MortonKey>& refined, const GridFrame& frame)
+{
+  const unsigned finer =
+      finerBeyond(key, level, [&](MortonKey other) { return std::ranges::binary_search(refined, other); });
+  if (!splits(finer))
+  {
+    return 0;
+  }
+  const std::int64_t size = frame.latticeSize(level);
+  const GridCell cell = gridCell(key);
+  LatticePoint outer;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    outer[axis] = (std::int64_t{cell[axis]} + (childOf(key) >> axis & 1)) * size;
+  }
+  unsigned eighths = 0;
+  for (const Local& local : schemeOf(finer).points)
+  {
+    eighths += frame.inDomain(placeIn(outer, size, childOf(key), local)) ? eighthsOf(local) : 0;
+  }
+  return eighths;
+}
 
 } // namespace
 
@@ -187,25 +261,8 @@ SplitOctants::SplitOctants(const Octree& octree, const RunContext& context) : oc
 unsigned SplitOctants::finerAround(Index leaf) const
 {
   const int level = octree_.level(leaf);
-  const GridCell cell = gridCell(octree_.key(leaf));
-  const unsigned child = childOf(octree_, leaf);
-  const std::uint32_t end = 1u << level;
-  unsigned finer = 0;
-  for (unsigned across = 1; level > 0 && across < 8; ++across)
-  {
-    GridCell other = cell;
-    bool isInRoot = true;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      if ((across >> axis & 1) != 0)
-      {
-        other[axis] += (child >> axis & 1) != 0 ? 1u : ~0u;
-        isInRoot = isInRoot && other[axis] < end;
-      }
-    }
-    finer |= isInRoot && !Octree::isLeaf(octree_.nodeAt(mortonKey(other), level)) ? 1u << across : 0u;
-  }
-  return finer;
+  return finerBeyond(octree_.key(leaf), level,
+                     [&](MortonKey other) { return !Octree::isLeaf(octree_.nodeAt(other, level)); });
 }
 
 LatticePoint SplitOctants::outerCorner(Index leaf) const { return octree_.cornerOf(leaf, childOf(octree_, leaf)); }
@@ -233,14 +290,7 @@ SplitCell SplitOctants::cellAt(Index leaf, const LatticePoint& point, unsigned d
 
 LatticePoint SplitOctants::placeOf(Index leaf, const Local& local) const
 {
-  const std::int64_t size = octree_.frame().latticeSize(octree_.level(leaf));
-  const unsigned child = childOf(octree_, leaf);
-  LatticePoint place = outerCorner(leaf);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    place[axis] += ((child >> axis & 1) != 0 ? -1 : 1) * (local[axis] * size / whole);
-  }
-  return place;
+  return placeIn(outerCorner(leaf), octree_.frame().latticeSize(octree_.level(leaf)), childOf(octree_, leaf), local);
 }
 
 std::vector<LatticePoint> SplitOctants::pointsOf(Index leaf) const
@@ -273,6 +323,26 @@ Vec3 SplitOctants::centerOf(SplitCell cell) const
     place[axis] += ((child >> axis & 1) != 0 ? -size : size) * local[axis];
   }
   return place;
+}
+
+std::size_t countSplitPoints(const RefinedSets& refined, const GridFrame& frame, const RunContext& context)
+{
+  static const std::vector<MortonKey> none;
+  std::size_t eighths = 0;
+  for (std::size_t above = 0; above < refined.size(); ++above)
+  {
+    const std::vector<MortonKey>& finer = above + 1 < refined.size() ? refined[above + 1] : none;
+    eighths += sumOver(refined[above].size(), context, [&](std::size_t i) {
+      std::size_t sum = 0;
+      for (MortonKey key = refined[above][i] << 3, end = key + 8; key < end; ++key)
+      {
+        const bool isLeaf = !std::ranges::binary_search(finer, key);
+        sum += isLeaf ? atria::pointsOf(key, static_cast<int>(above) + 1, finer, frame) : 0;
+      }
+      return sum;
+    });
+  }
+  return eighths / 8;
 }
 
 } // namespace atria

@@ -47,4 +47,8 @@ private:
   Buffer<std::uint8_t> finer_;
 };
 
+/// Returns the number of points inside the domain where surfaces meet, except for points of the octree's grid, in the
+/// octree that sets make. They must be balanced in families. O(n log n).
+std::size_t countSplitPoints(const RefinedSets& refined, const GridFrame& frame, const RunContext& context);
+
 } // namespace atria
