@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What holds of every mesh of hexahedra, on random octrees, random soups and closed solids.
 #include "Layer/LayerHeights.h"
+#include "Layer/LayerWalls.h"
 #include "Mesher/DualMesher.h"
+#include "Octree/Sizing/Estimate.h"
 #include "Octree/Tree/Balance.h"
 #include "Support/Campaign.h"
 #include "Support/DualMeshChecks.h"
@@ -14,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace {
 
@@ -81,6 +84,7 @@ TEST(RandomHexahedra, FillTheDomain)
     EXPECT_EQ(countOthers(mesh), 0);
     EXPECT_NEAR(totalVolume(mesh) / frame.domain.size().prod(), 1.0, 1e-9);
     EXPECT_GT(leastInside(mesh), 0.25);
+    EXPECT_EQ(mesh.elementCount(), countElements(sets, true, frame, quietContext()));
     const std::size_t dominant = dualOf(frame, sets, false).elementCount();
     EXPECT_LT(mesh.elementCount(), dominant + dominant / 4) << "what splitting octants adds";
   }
@@ -155,7 +159,6 @@ TEST(RandomHexahedra, MeshSoups)
   }
 }
 
-/// Layers go round tubes in front of the edges of open triangles, which cross each other, too.
 TEST(Hexahedra, HaveAsManyLayersAsFitTheFinestElements)
 {
   TriangleSurface sheet;
@@ -175,6 +178,38 @@ TEST(Hexahedra, HaveAsManyLayersAsFitTheFinestElements)
   EXPECT_TRUE(identical(fitting.mesh(), meshIt(sheet, grid, options).mesh()));
 }
 
+/// Between a wall and a roof that ends an element beyond it there are elements with neighbors on two axes only. No
+/// place of their points makes these better, so walls must not leave the model for them.
+TEST(Hexahedra, KeepWallsUnderEavesInPlace)
+{
+  for (const double slope : {0.1, 0.2, 0.5})
+  {
+    SCOPED_TRACE(slope);
+    constexpr double overhang = 0.5;
+    TriangleSurface surface;
+    addSheet(surface, "Wall", Vec3(0, 0, -2.5), Vec3(5, 0, 0), Vec3(0, 0, 3));
+    addSheet(surface, "Roof", Vec3(0, -overhang, 0.5 - slope * overhang), Vec3(5, 0, 0),
+             (2.0 + overhang) * Vec3(0, 1, slope));
+    turn(surface, 29.0);
+    GridOptions grid;
+    grid.domain = {Vec3(-4.0, -4.0, -2.5), Vec3(8.0, 8.0, 3.5)};
+    grid.sizeMin = grid.sizeMid = 0.5;
+    grid.sizeMax = 2.0;
+    DualMeshOptions options;
+    options.hexahedra = true;
+    options.layers = {{"*", {.layers = 1}}};
+    const Meshed meshed = meshIt(surface, grid, options);
+    EXPECT_TRUE(isValid(meshed.mesh(), 0));
+    double area = 0.0;
+    for (const BoundaryFace& face : meshed.mesh().boundaryFaces)
+    {
+      area += face.tag < 2 ? wallNormal(meshed.mesh(), face).norm() / 2.0 : 0.0; // sheets have two sides
+    }
+    EXPECT_NEAR(area / (15.0 + 5.0 * (2.0 + overhang) * std::hypot(1.0, slope)), 1.0, 0.01);
+  }
+}
+
+/// Layers go round tubes in front of the edges of open triangles, which cross each other, too.
 TEST(RandomHexahedra, MeshSoupsWithALayer)
 {
   for (unsigned seed = 0; seed < static_cast<unsigned>(campaign(4, 100)); ++seed)
