@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Octree/Tree/SplitOctants.h"
 #include "Octree/Tree/Balance.h"
+#include "Octree/Tree/SplitOctants.h"
 #include "Support/QuietContext.h"
 #include "Support/RandomOctrees.h"
 

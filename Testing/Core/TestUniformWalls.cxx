@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Octree/Tree/SplitOctants.h"
 #include "Octree/Sizing/UniformWalls.h"
 #include "Octree/Tree/Balance.h"
 #include "Octree/Tree/GeometryLists.h"
+#include "Octree/Tree/SplitOctants.h"
 #include "SizedOctree.h"
 
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 #include "Dual/Vertices/TurnedDomain.h"
 #include "Layer/EdgeTubes.h"
 #include "Layer/LayerHeights.h"
+#include "Layer/WallFans.h"
 #include "Mesher/Blocks/BlockImprover.h"
 #include "Mesher/Improvement/CurveJogs.h"
 #include "Mesher/Improvement/ElementsToLeaveOut.h"
@@ -291,6 +292,10 @@ ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, Me
   LayerOptions whole = layerOptionsOf(wallOptions, onGround, isOfHexahedra(given), context);
   const FittedLayers fit = fitLayers(whole, port, context);
   const EdgeTubes tubes = isOfHexahedra(given) ? cutTubes(given, context) : EdgeTubes();
+  if (isOfHexahedra(given))
+  {
+    separateFans(given.mesh, tubes, given.classification, given.vertexOf);
+  }
   const std::vector<Index> vertexOf = tubes.isEmpty() ? std::vector<Index>() : given.vertexOf;
   if (!tubes.isEmpty())
   {

@@ -2,9 +2,9 @@
 #include "Dual/Hexahedra/Hexahedra.h"
 
 #include "Dual/Grid/GridPoints.h"
-#include "Octree/Tree/SplitOctants.h"
 #include "Dual/Vertices/TurnedDomain.h"
 #include "Grid/DomainPlanes.h"
+#include "Octree/Tree/SplitOctants.h"
 #include "Support/Error.h"
 #include "Support/Pieces.h"
 #include "Support/Sorting.h"

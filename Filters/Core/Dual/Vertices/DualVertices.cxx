@@ -310,4 +310,27 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
   return vertices;
 }
 
+void VertexClassification::appendCopyOf(Index vertex)
+{
+  classes.push_back(classes[vertex]);
+  leaves.push_back(leaves[vertex]);
+  for (Index i = offsets[vertex]; i < offsets[vertex + 1]; ++i)
+  {
+    pieces.push_back(Index{pieces[i]});
+  }
+  offsets.push_back(static_cast<Index>(pieces.size()));
+  const auto extend = [vertex](auto& list) {
+    if (!list.empty())
+    {
+      list.push_back(list[vertex]);
+    }
+  };
+  extend(planes);
+  extend(turnedSides);
+  if (const auto limit = displacementLimits.find(vertex); limit != displacementLimits.end())
+  {
+    displacementLimits.emplace(static_cast<Index>(classes.size() - 1), DisplacementLimit(limit->second));
+  }
+}
+
 } // namespace atria

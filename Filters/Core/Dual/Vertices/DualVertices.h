@@ -45,6 +45,8 @@ struct VertexClassification
   {
     return {pieces.data() + offsets[vertex], pieces.data() + offsets[vertex + 1]};
   }
+  /// Appends a vertex with the properties of another one.
+  void appendCopyOf(Index vertex);
 };
 
 /// Vertices of leaves.

@@ -36,7 +36,7 @@ constexpr QualityRange largestAngleOfDivided{0.342, 0.5};
 constexpr double angleMargin = 0.01;
 
 /// Range of scaled Jacobians of meshes that have hexahedra only.
-constexpr double leastOfHexahedra = -0.5;
+constexpr double leastOfHexahedra = 0.3;
 constexpr double goodOfHexahedra = 0.5;
 /// Scaled Jacobian of crease sheets. At a corner of three surfaces at right angles the most is 0.41.
 constexpr QualityRange creaseJacobian{0.3, 0.31};
@@ -53,6 +53,8 @@ double cosineOf(double degrees) { return cosOfDegrees(std::max(degrees, 0.0)); }
 
 /// Penalty of a measure within a tenth of its target.
 constexpr double coarsePenalty = 0.01;
+/// The same where all cells are near their targets.
+constexpr double finePenalty = 0.001;
 /// Least gain of a move, as a share of the penalty, where there are many cells to improve.
 constexpr double coarseGain = 0.02;
 
@@ -138,7 +140,7 @@ OptimizerOptions atCurved()
 {
   OptimizerOptions options;
   options.rings = 1;
-  options.leastPenalty = 0.001;
+  options.leastPenalty = finePenalty;
   options.leastGain = coarseGain;
   options.leastWorst = otherMeasuresFloor;
   return options;
@@ -320,7 +322,8 @@ ImproverStage hexahedraStage(const MeshTraits& traits)
   QualityTargets& targets = stage.options.targets;
   targets.jacobianLimit = leastOfHexahedra;
   targets.scaledJacobian = goodOfHexahedra;
-  targets.leastOfJacobian = -infinity;
+  targets.leastOfJacobian = otherMeasuresFloor;
+  stage.options.leastPenalty = finePenalty;
   stage.options.rings = 1;
   return stage;
 }

@@ -101,7 +101,8 @@ std::vector<ImproverStage> straighteningStages(const MeshTraits& traits);
 QualityTargets targetsOfLargestAngle(const MeshTraits& traits);
 inline constexpr std::array reachesForAngles{smallReach, largeReach};
 
-/// In meshes of hexahedra only, those that fall short of these targets are improved after that.
+/// In meshes of hexahedra only, those that fall short of these targets are improved after that, in so many rounds.
+inline constexpr int roundsOfHexahedra = 3;
 QualityTargets targetsOfHexahedra();
 ImproverStage hexahedraStage(const MeshTraits& traits);
 

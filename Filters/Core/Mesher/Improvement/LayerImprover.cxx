@@ -82,7 +82,7 @@ void finishWhole(ImproverState& state, VertexDetachment& detachment, CurvedWalls
   }
   enter(state, whole, 0.7, 0.9, "Straightening elements");
   straighten(state, detachment);
-  if (state.traits.wraps)
+  for (int round = 0; state.traits.wraps && round < roundsOfHexahedra; ++round)
   {
     state.run(hexahedraStage(state.traits), state.findShort(targetsOfHexahedra()));
   }

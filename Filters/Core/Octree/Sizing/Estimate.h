@@ -19,7 +19,8 @@ std::size_t childrenInDomain(std::span<const MortonKey> refined, int level, cons
 
 /// Returns the number of grid points, inside the domain, of the octree that balanced sets make; of the octree whose
 /// octants are split (SplitOctants) if the mesh is to have hexahedra only.
-std::size_t countElements(const RefinedSets& refined, bool hexahedra, const GridFrame& frame, const RunContext& context);
+std::size_t countElements(const RefinedSets& refined, bool hexahedra, const GridFrame& frame,
+                          const RunContext& context);
 
 struct MeshEstimate
 {
