@@ -33,11 +33,11 @@ std::size_t countLayerElements(const Octree& octree, const SurfaceModel& model, 
   const GridFrame& frame = octree.frame();
   if (hexahedra)
   {
-    const int most = std::max(1, mostLayersOf(layers, frame.sizeOf(octree.maximumLevel())));
+    const auto most = static_cast<std::size_t>(std::max(1, mostLayersOf(layers, frame.sizeOf(octree.maximumLevel()))));
     return sumOverLeaves(octree, isCounted, context, [&](Index leaf) {
-      const bool hasSurface = !octree.items(leaf, ModelItem::triangle).empty();
+      const int walls = octree.items(leaf, ModelItem::triangle).empty() ? 0 : 2;
       const int sides = std::popcount(frame.domainPlanes(octree.lowCorner(leaf), octree.highCorner(leaf)));
-      return static_cast<std::size_t>(most * (sides + (hasSurface ? 2 : 0)));
+      return most * static_cast<std::size_t>(walls + sides);
     });
   }
   return sumOverLeaves(octree, isCounted, context, [&](Index leaf) {
