@@ -5,7 +5,6 @@
 #include "Support/Numbering.h"
 #include "Support/Pieces.h"
 #include "Support/Sorting.h"
-#include "Support/UnionFind.h"
 
 #include <algorithm>
 #include <functional>
@@ -313,16 +312,7 @@ std::vector<Index> firstOfSame(const DualMesh& mesh, const EdgeTubes& tubes, con
   UnionFind sets(mesh.points.size());
   for (Index f = tubes.firstFace; f < tubes.firstFace + tubes.faceCount; f += 2)
   {
-    for (const Index p : cornersOf(mesh, mesh.boundaryFaces[f]))
-    {
-      for (const Index q : cornersOf(mesh, mesh.boundaryFaces[f + 1]))
-      {
-        if (vertexOf[p] == vertexOf[q])
-        {
-          sets.join(p, q);
-        }
-      }
-    }
+    joinSame(mesh, f, tubes.across(f), vertexOf, sets);
   }
   std::vector<Index> first(mesh.points.size());
   for (Index p = 0; p < first.size(); ++p)
@@ -333,6 +323,20 @@ std::vector<Index> firstOfSame(const DualMesh& mesh, const EdgeTubes& tubes, con
 }
 
 } // namespace
+
+void joinSame(const DualMesh& mesh, Index face, Index other, const std::vector<Index>& vertexOf, UnionFind& points)
+{
+  for (const Index p : cornersOf(mesh, mesh.boundaryFaces[face]))
+  {
+    for (const Index q : cornersOf(mesh, mesh.boundaryFaces[other]))
+    {
+      if (vertexOf[p] == vertexOf[q])
+      {
+        points.join(p, q);
+      }
+    }
+  }
+}
 
 EdgeTubes findEdgeTubes(const DualMesh& mesh, const RunContext& context)
 {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Layer/LayerWalls.h"
+#include "Support/UnionFind.h"
 
 namespace atria {
 
@@ -22,7 +23,12 @@ struct EdgeTubes
 
   bool isEmpty() const { return elements.empty(); }
   bool has(Index face) const { return face >= firstFace && face - firstFace < faceCount; }
+  /// Returns the face on the other side of the cut.
+  Index across(Index face) const { return firstFace + ((face - firstFace) ^ 1U); }
 };
+
+/// Joins the points of two boundary faces that have the same vertex.
+void joinSame(const DualMesh& mesh, Index face, Index other, const std::vector<Index>& vertexOf, UnionFind& points);
 
 /// Finds tubes in a mesh whose sheets are split: the elements that have a boundary edge of a sheet but no wall along
 /// it, and those with a point of such an edge and no other edge of a wall there; then further elements at walls, until

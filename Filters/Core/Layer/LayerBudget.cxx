@@ -55,9 +55,8 @@ void checkLayerBudget(const Octree& octree, const SurfaceModel& model, const std
                       bool hexahedra, std::size_t memoryLimit, const RunContext& context,
                       const std::function<bool(Index leaf)>& isOwn, RankExchange& exchange)
 {
-  constexpr std::size_t mostLayers = 100;
   const auto sum = [&](std::size_t own) { return sumAll(exchange, std::array{own})[0]; };
-  if (memoryLimit == 0 || sum(octree.leafCount()) <= memoryLimit / bytesPerElement / (1 + mostLayers))
+  if (memoryLimit == 0 || sum(octree.leafCount()) <= memoryLimit / bytesPerElement / std::size_t{1 + mostLayers})
   {
     return;
   }

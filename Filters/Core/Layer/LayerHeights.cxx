@@ -8,7 +8,6 @@ namespace atria {
 
 namespace {
 
-constexpr int mostLayers = 100;
 /// Share of an element beside a wall that layers take at most if their number or growth is free.
 constexpr double mostOfElement = 0.75;
 

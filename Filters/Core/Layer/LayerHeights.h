@@ -13,6 +13,8 @@ namespace atria {
 /// to `maximumGrowth`, at which that is so for the requested number.
 WallLayers fitted(const WallLayers& asked, double size);
 inline constexpr double maximumGrowth = 2.0;
+/// The largest number of layers that `asManyAsFit` becomes.
+inline constexpr int mostLayers = 100;
 
 /// Returns the largest number of layers that walls get beside elements of this edge length; 0 without walls.
 int mostLayersOf(const std::vector<WallLayers>& walls, double size);

@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Layer/WallFans.h"
 
-#include "Support/UnionFind.h"
-
 namespace atria {
 
 namespace {
-
-/// Returns the boundary face on the other side of a sheet or of a tube's cut; noIndex if there is none.
-Index otherSideOf(const DualMesh& mesh, const EdgeTubes& tubes, Index face)
-{
-  if (tubes.has(face))
-  {
-    return tubes.firstFace + ((face - tubes.firstFace) ^ 1U);
-  }
-  return faceBehind(mesh, mesh.boundaryFaces[face]);
-}
 
 /// Returns sets of points that have one vertex and are connected through the two sides of sheets and cuts.
 UnionFind findFans(const DualMesh& mesh, const EdgeTubes& tubes, const std::vector<Index>& vertexOf)
@@ -23,20 +11,10 @@ UnionFind findFans(const DualMesh& mesh, const EdgeTubes& tubes, const std::vect
   UnionFind fans(mesh.points.size());
   for (Index f = 0; f < mesh.boundaryFaces.size(); ++f)
   {
-    const Index other = otherSideOf(mesh, tubes, f);
-    if (other == noIndex)
+    const Index other = tubes.has(f) ? tubes.across(f) : faceBehind(mesh, mesh.boundaryFaces[f]);
+    if (other != noIndex)
     {
-      continue;
-    }
-    for (const Index p : cornersOf(mesh, mesh.boundaryFaces[f]))
-    {
-      for (const Index q : cornersOf(mesh, mesh.boundaryFaces[other]))
-      {
-        if (vertexOf[p] == vertexOf[q])
-        {
-          fans.join(p, q);
-        }
-      }
+      joinSame(mesh, f, other, vertexOf, fans);
     }
   }
   return fans;

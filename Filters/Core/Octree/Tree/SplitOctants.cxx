@@ -201,13 +201,16 @@ template <typename IsRefined> unsigned finerBeyond(MortonKey key, int level, IsR
   return finer;
 }
 
-/// Returns a place in an octant with this outer corner.
-LatticePoint placeIn(const LatticePoint& outer, std::int64_t size, unsigned child, const Local& local)
+LatticePoint placeIn(MortonKey key, int level, const GridFrame& frame, const Local& local)
 {
-  LatticePoint place = outer;
+  const GridCell cell = gridCell(key);
+  const std::int64_t size = frame.latticeSize(level);
+  LatticePoint place;
   for (int axis = 0; axis < 3; ++axis)
   {
-    place[axis] += ((child >> axis & 1) != 0 ? -1 : 1) * (local[axis] * size / whole);
+    const bool isUpperOuter = (childOf(key) >> axis & 1) != 0;
+    const std::int64_t way = local[axis] * size / whole;
+    place[axis] = cell[axis] * size + (isUpperOuter ? size - way : way);
   }
   return place;
 }
@@ -224,7 +227,7 @@ unsigned eighthsOf(const Local& local)
 }
 
 /// Returns in eighths how many points inside the domain belong to an octant that is not refined.
-unsigned pointsOf(MortonKey key, int level, const std::vector<MortonKey>& refined, const GridFrame& frame)
+unsigned pointEighthsOf(MortonKey key, int level, const std::vector<MortonKey>& refined, const GridFrame& frame)
 {
   const unsigned finer =
       finerBeyond(key, level, [&](MortonKey other) { return std::ranges::binary_search(refined, other); });
@@ -232,17 +235,10 @@ unsigned pointsOf(MortonKey key, int level, const std::vector<MortonKey>& refine
   {
     return 0;
   }
-  const std::int64_t size = frame.latticeSize(level);
-  const GridCell cell = gridCell(key);
-  LatticePoint outer;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    outer[axis] = (std::int64_t{cell[axis]} + (childOf(key) >> axis & 1)) * size;
-  }
   unsigned eighths = 0;
   for (const Local& local : schemeOf(finer).points)
   {
-    eighths += frame.inDomain(placeIn(outer, size, childOf(key), local)) ? eighthsOf(local) : 0;
+    eighths += frame.inDomain(placeIn(key, level, frame, local)) ? eighthsOf(local) : 0;
   }
   return eighths;
 }
@@ -290,7 +286,7 @@ SplitCell SplitOctants::cellAt(Index leaf, const LatticePoint& point, unsigned d
 
 LatticePoint SplitOctants::placeOf(Index leaf, const Local& local) const
 {
-  return placeIn(outerCorner(leaf), octree_.frame().latticeSize(octree_.level(leaf)), childOf(octree_, leaf), local);
+  return placeIn(octree_.key(leaf), octree_.level(leaf), octree_.frame(), local);
 }
 
 std::vector<LatticePoint> SplitOctants::pointsOf(Index leaf) const
@@ -337,7 +333,7 @@ std::size_t countSplitPoints(const RefinedSets& refined, const GridFrame& frame,
       for (MortonKey key = refined[above][i] << 3, end = key + 8; key < end; ++key)
       {
         const bool isLeaf = !std::ranges::binary_search(finer, key);
-        sum += isLeaf ? atria::pointsOf(key, static_cast<int>(above) + 1, finer, frame) : 0;
+        sum += isLeaf ? pointEighthsOf(key, static_cast<int>(above) + 1, finer, frame) : 0;
       }
       return sum;
     });
